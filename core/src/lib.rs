@@ -1,0 +1,13 @@
+//! Wheelover's core: a function of bytes, commands and time.
+//!
+//! No clock, socket, thread, log or random source is inside; `now` and seeds are arguments.
+#![no_std]
+extern crate alloc;
+
+pub mod alerts;
+pub mod geo;
+pub mod picture;
+pub mod station;
+pub mod stream;
+pub mod time;
+pub mod units;

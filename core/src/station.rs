@@ -1,0 +1,132 @@
+//! What every station (autopilot, chart system, world) shares: ports, what goes in, what comes out.
+//!
+//! **Invariant:** stations exchange bytes only, never state.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+use serde::{Deserialize, Serialize};
+
+/// Number of a port within its station, from 0.
+pub type PortIndex = usize;
+
+/// What is connected to a port; decides what it may say, what is sent on it and how often.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Profile {
+    /// A chart system (on the autopilot's side), or an autopilot (on the chart system's side).
+    Ecdis,
+    /// First gyro compass.
+    Gyro1,
+    /// Second gyro compass.
+    Gyro2,
+    /// Transmitting heading device.
+    Thd,
+    /// Magnetic compass.
+    Magn,
+    /// Position receiver.
+    Gps,
+    /// Speed log.
+    Log,
+    /// Rate of turn sensor.
+    Rot,
+    /// Steering gear: takes rudder orders, gives rudder angles.
+    Gear,
+    /// Hand-held control unit.
+    Hmi,
+    /// A listener: shown, never used.
+    Monitor,
+}
+
+/// Which sentences of a port are believed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ChecksumPolicy {
+    /// Only sentences with a right checksum.
+    Required,
+    /// Once a right checksum was heard, only such sentences.
+    Learned,
+    /// A missing checksum is accepted, a wrong one is not. Never on a port that commands.
+    Optional,
+}
+
+/// One port of a station, as configured.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PortSetup {
+    /// Unique name; sources are written `port/talker/formatter`.
+    pub name: String,
+    /// What is connected.
+    pub profile: Profile,
+    /// Which sentences are believed.
+    pub checksum: ChecksumPolicy,
+    /// Line rate in baud, for the load on the line; 0 where there is none.
+    pub baud: u32,
+    /// Whether anything may leave by this port.
+    pub output: bool,
+}
+
+/// Direction of a line, as the station of the port sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Direction {
+    /// Heard.
+    In,
+    /// Sent.
+    Out,
+}
+
+/// What goes into a station.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Input<'a> {
+    /// Bytes heard on a port.
+    Bytes {
+        /// Where.
+        port: PortIndex,
+        /// What; any split of a stream is the same stream.
+        bytes: &'a [u8],
+    },
+    /// The caller was late by so many milliseconds: nothing heard before counts as fresh.
+    Stalled {
+        /// How late.
+        ms: u64,
+    },
+    /// Only time has passed.
+    Tick,
+}
+
+/// What comes out of a station.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Output {
+    /// Bytes to send.
+    Send {
+        /// Where.
+        port: PortIndex,
+        /// What; whole sentences with CR LF.
+        bytes: Vec<u8>,
+    },
+    /// A line was heard or sent, for the recorder, the page and the checker.
+    Line {
+        /// Where.
+        port: PortIndex,
+        /// Heard or sent.
+        dir: Direction,
+        /// The line without its end; a damaged one is cut at 256 bytes.
+        text: Vec<u8>,
+    },
+    /// A setting to be kept over a restart.
+    Persist {
+        /// Its name in the settings table.
+        key: String,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// A command that was not done, with the reason an officer would give.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Refusal(pub String);
+
+impl core::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.0)
+    }
+}

@@ -1,0 +1,2 @@
+//! The `wheelover` program.
+fn main() {}

@@ -1,0 +1,2 @@
+//! The build task.
+fn main() {}
