@@ -1,0 +1,4 @@
+//! The page.
+
+#[cfg(target_arch = "wasm32")]
+pub mod app;

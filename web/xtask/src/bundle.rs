@@ -1,0 +1,160 @@
+//! `build`: compiles the page, binds it, and lays `web/dist`.
+//!
+//! Layout: `index.html`, `decoder.html`, `sw.js`, `manifest.webmanifest`, `build.txt` and icons have fixed names; all
+//! that stands under `assets/` is named by its content and may be cached for ever. Each has a `.br` and a `.gz` beside it.
+
+use crate::files::{Compression, base64, fingerprint, text, write};
+use crate::shell::{Failure, Outcome, cargo, root, run, step, target};
+use crate::tools::{WASM, wasm_target};
+use std::path::{Path, PathBuf};
+use wasm_bindgen_cli_support::Bindgen;
+
+/// What a browser may load before the page works, brotli, bytes.
+const FIRST_LOAD_LIMIT: u64 = 200_000;
+
+/// Builds the page into `web/dist`.
+///
+/// # Errors
+/// It does not compile, or a release is larger than its budget.
+pub(crate) fn build(release: bool) -> Outcome {
+    step("page", || {
+        wasm_target()?;
+        let profile = if release { "web-release" } else { "web-dev" };
+        run(&mut cargo(&[
+            "build",
+            "--package",
+            "wheelover-web",
+            "--target",
+            WASM,
+            "--profile",
+            profile,
+        ]))?;
+        let built = target().join(WASM).join(profile).join("wheelover-web.wasm");
+        let page = bind(&built, release)?;
+        let compression = if release {
+            Compression::Small
+        } else {
+            Compression::Quick
+        };
+        let first_load = lay(&page, compression)?;
+        eprintln!("first load: {first_load} bytes brotli, of {FIRST_LOAD_LIMIT}");
+        if release && first_load > FIRST_LOAD_LIMIT {
+            return Err(Failure::new(format!(
+                "the first load is {first_load} bytes, over its budget of {FIRST_LOAD_LIMIT}"
+            )));
+        }
+        Ok(())
+    })
+}
+
+/// The page after wasm-bindgen.
+struct Page {
+    script: String,
+    wasm: Vec<u8>,
+}
+
+fn bind(built: &Path, release: bool) -> Result<Page, Failure> {
+    let folder = target().join("xtask-bindgen");
+    let failed = |error: &dyn std::fmt::Display| Failure::new(format!("wasm-bindgen: {error}"));
+    let mut bindgen = Bindgen::new();
+    bindgen
+        .input_path(built)
+        .out_name("page")
+        .typescript(false)
+        .omit_default_module_path(true)
+        .remove_name_section(release)
+        .remove_producers_section(true);
+    let mut output = bindgen
+        .web(true)
+        .and_then(Bindgen::generate_output)
+        .map_err(|error| failed(&format!("{error:#}")))?;
+    if !output.snippets().values().all(Vec::is_empty) || !output.local_modules().is_empty() {
+        return Err(failed(&format!(
+            "a dependency brings a script of its own, which the bundle does not carry: {:?} {:?}",
+            output.snippets(),
+            output.local_modules().keys(),
+        )));
+    }
+    output
+        .emit(&folder)
+        .map_err(|error| failed(&format!("{error:#}")))?;
+    let wasm = folder.join("page_bg.wasm");
+    Ok(Page {
+        script: text(&folder.join("page.js"))?,
+        wasm: std::fs::read(&wasm).map_err(|error| Failure::file(&wasm, &error))?,
+    })
+}
+
+/// Writes the folder; gives back the bytes of a first load.
+fn lay(page: &Page, compression: Compression) -> Result<u64, Failure> {
+    let dist = root().join("web/dist");
+    let fixed = root().join("static");
+    clear(&dist.join("assets"))?;
+    let mut first_load = Vec::new();
+    let mut asset = |stem: &str, ending: &str, content: &[u8]| -> Result<String, Failure> {
+        let name = format!("assets/{stem}-{}.{ending}", fingerprint(content));
+        write(&dist.join(&name), content, compression)?;
+        first_load.push(dist.join(format!("{name}.br")));
+        Ok(format!("/{name}"))
+    };
+    let style = text(&fixed.join("page.css"))?;
+    let palette = text(&fixed.join("palette.js"))?;
+    let wasm = asset("page", "wasm", &page.wasm)?;
+    let script = asset("page", "js", page.script.as_bytes())?;
+    let start = text(&fixed.join("start.js"))?
+        .replace("{{script}}", &script)
+        .replace("{{wasm}}", &wasm);
+    let start = asset("start", "js", start.as_bytes())?;
+    let style_name = asset("page", "css", style.as_bytes())?;
+    let palette_name = asset("palette", "js", palette.as_bytes())?;
+    let index = text(&fixed.join("index.html"))?
+        .replace("{{style}}", &style_name)
+        .replace("{{palette}}", &palette_name)
+        .replace("{{start}}", &start)
+        .replace("{{script}}", &script)
+        .replace("{{wasm}}", &wasm);
+    write(&dist.join("index.html"), index.as_bytes(), compression)?;
+    first_load.push(dist.join("index.html.br"));
+
+    let build = fingerprint(index.as_bytes());
+    let kept =
+        [&wasm, &script, &start, &style_name, &palette_name].map(|name| format!("\"{name}\""));
+    let worker = text(&fixed.join("sw.js"))?
+        .replace("{{build}}", &build)
+        .replace("\"{{assets}}\"", &kept.join(", "));
+    write(&dist.join("sw.js"), worker.as_bytes(), compression)?;
+    write(&dist.join("build.txt"), build.as_bytes(), compression)?;
+
+    let decoder = text(&fixed.join("decoder.html"))?
+        .replace("{{style}}", &style)
+        .replace("{{palette}}", &palette)
+        .replace("{{script}}", &page.script)
+        .replace("{{wasm}}", &base64(&page.wasm));
+    write(&dist.join("decoder.html"), decoder.as_bytes(), compression)?;
+    for name in [
+        "manifest.webmanifest",
+        "icon.svg",
+        "icon-192.png",
+        "icon-512.png",
+    ] {
+        let path = fixed.join(name);
+        let content = std::fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
+        write(&dist.join(name), &content, compression)?;
+    }
+    first_load.iter().map(|path| length(path)).sum()
+}
+
+fn length(path: &PathBuf) -> Result<u64, Failure> {
+    path.metadata()
+        .map(|facts| facts.len())
+        .map_err(|error| Failure::file(path, &error))
+}
+
+fn clear(folder: &Path) -> Outcome {
+    match std::fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+            Err(Failure::file(folder, &error))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,155 @@
+//! `test`: everything that must hold before a change is taken, step by step, each with its name and time.
+
+use crate::bundle;
+use crate::serve::server;
+use crate::shell::{Failure, Outcome, cargo, has, output, root, run, step, target};
+use crate::tools::{BARE, WASM, browser, has_target, wasm_target};
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+/// Installs what the tests need, checks and tests everything; the first failure ends it.
+///
+/// # Errors
+/// The step that failed.
+pub(crate) fn test() -> Outcome {
+    let started = Instant::now();
+    step("tools: wasm target, Chromium, chromedriver", || {
+        wasm_target().and_then(|()| browser())
+    })?;
+    step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    step("files under 400 lines, one subject each", file_lengths)?;
+    step("clippy, native", || {
+        run(cargo(&[
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "-D",
+            "warnings",
+        ])
+        .env_remove("RUSTFLAGS"))
+    })?;
+    step("clippy, wasm", || {
+        run(&mut cargo(&[
+            "clippy",
+            "-p",
+            "wheelover-web",
+            "-p",
+            "wheelover-core",
+            "--target",
+            WASM,
+            "--lib",
+            "--bins",
+            "--tests",
+            "--",
+            "-D",
+            "warnings",
+        ]))
+    })?;
+    step("the core alone, without std", core_alone)?;
+    step("documents", || {
+        run(cargo(&["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))?;
+        run(cargo(&[
+            "doc",
+            "-p",
+            "wheelover-web",
+            "--lib",
+            "--no-deps",
+            "--target",
+            WASM,
+        ])
+        .env("RUSTDOCFLAGS", "-D warnings"))
+    })?;
+    step("unit tests", || {
+        run(&mut cargo(&[
+            "test",
+            "--workspace",
+            "--exclude",
+            "wheelover-tests",
+        ]))
+    })?;
+    bundle::build(true)?;
+    step("server", || run(&mut server("build", false)))?;
+    step("tests in wasm", wasm_tests)?;
+    step("integration and browser tests", || {
+        let binary = target()
+            .join("debug")
+            .join(format!("wheelover{}", std::env::consts::EXE_SUFFIX));
+        run(cargo(&["test", "-p", "wheelover-tests"]).env("WHEELOVER_BIN", binary))
+    })?;
+    eprintln!(
+        "everything passed in {:.1} min",
+        started.elapsed().as_secs_f64() / 60.0
+    );
+    Ok(())
+}
+
+/// A workspace build unifies features and would hide a dependency's `std`.
+fn core_alone() -> Outcome {
+    if has_target(BARE) {
+        return run(&mut cargo(&[
+            "check",
+            "-p",
+            "wheelover-core",
+            "--lib",
+            "--target",
+            BARE,
+        ]));
+    }
+    run(&mut cargo(&[
+        "check",
+        "-p",
+        "wheelover-core",
+        "--lib",
+        "--no-default-features",
+    ]))?;
+    let mut tree = cargo(&[
+        "tree",
+        "-p",
+        "wheelover-core",
+        "-e",
+        "features,no-proc-macro,no-dev,no-build",
+        "--prefix",
+        "none",
+    ]);
+    let tree = output(&mut tree).ok_or_else(|| Failure::new("`cargo tree` failed"))?;
+    match tree.lines().find(|line| line.contains("feature \"std\"")) {
+        Some(line) => Err(Failure::new(format!("the core's tree has `{line}`"))),
+        None => Ok(()),
+    }
+}
+
+fn wasm_tests() -> Outcome {
+    let mut command = cargo(&["test", "-p", "wheelover-web", "--target", WASM]);
+    if !has("node") {
+        command.env("WASM_BINDGEN_USE_BROWSER", "1");
+    }
+    run(&mut command)
+}
+
+fn file_lengths() -> Outcome {
+    let mut git = Command::new("git");
+    git.args(["ls-files", "*.rs", "*.css", "*.js"])
+        .current_dir(root());
+    let listed = output(&mut git).ok_or_else(|| Failure::new("`git ls-files` failed"))?;
+    let mut faults = Vec::new();
+    for name in listed
+        .lines()
+        .filter(|name| Path::new(&root().join(name)).is_file())
+    {
+        let text = crate::files::text(&root().join(name))?;
+        let lines = text.lines().count();
+        if lines >= 400 {
+            faults.push(format!("{name}: {lines} lines"));
+        }
+        if name.ends_with(".rs") && !text.starts_with("//!") {
+            faults.push(format!("{name}: its first line does not say its subject"));
+        }
+    }
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::new(faults.join("\n")))
+    }
+}

@@ -1,0 +1,79 @@
+//! What the build and the tests need from the machine: the wasm target, a browser and its driver.
+
+use crate::shell::{Failure, Outcome, has, output, root, run};
+use std::path::Path;
+use std::process::Command;
+
+/// The target of the page.
+pub(crate) const WASM: &str = "wasm32-unknown-unknown";
+
+/// A target without operating system, to prove that the core needs none.
+pub(crate) const BARE: &str = "thumbv7em-none-eabihf";
+
+/// Whether the compiler has a standard library for `target`.
+pub(crate) fn has_target(target: &str) -> bool {
+    let mut rustc = Command::new("rustc");
+    rustc
+        .args(["--print", "target-libdir", "--target", target])
+        .current_dir(root());
+    output(&mut rustc).is_some_and(|folder| Path::new(&folder).is_dir())
+}
+
+/// Adds the wasm target where it is missing.
+///
+/// # Errors
+/// It is missing and cannot be added.
+pub(crate) fn wasm_target() -> Outcome {
+    if has_target(WASM) {
+        return Ok(());
+    }
+    eprintln!("adding the target {WASM}");
+    let added = run(Command::new("rustup")
+        .args(["target", "add", WASM])
+        .current_dir(root()));
+    if added.is_ok() && has_target(WASM) {
+        return Ok(());
+    }
+    Err(Failure::new(format!(
+        "the compiler cannot build for {WASM}, and `rustup target add {WASM}` did not help.\n\
+         With rustup: run that command where the network is reachable.\n\
+         Without rustup: install your system's package of the Rust standard library for wasm \
+         (Debian: libstd-rust-dev-wasm32, with a rustc of the version in rust-toolchain.toml)."
+    )))
+}
+
+/// Installs Chromium and its driver where they are missing and the system's packages can be installed.
+///
+/// # Errors
+/// They are missing and cannot be installed.
+pub(crate) fn browser() -> Outcome {
+    if has("chromedriver") && (has("chromium") || has("chromium-browser") || has("google-chrome")) {
+        return Ok(());
+    }
+    let by_hand = "the browser tests need Chromium and chromedriver on the path; install both";
+    if !has("apt-get") {
+        return Err(Failure::new(by_hand));
+    }
+    eprintln!("installing chromium and chromium-driver");
+    apt(&["update"])?;
+    apt(&[
+        "install",
+        "-y",
+        "--no-install-recommends",
+        "chromium",
+        "chromium-driver",
+    ])
+    .map_err(|failure| Failure::new(format!("{failure}\n{by_hand}")))
+}
+
+fn apt(arguments: &[&str]) -> Outcome {
+    let is_root = output(Command::new("id").arg("-u")).is_some_and(|id| id == "0");
+    let mut command = Command::new(if is_root { "apt-get" } else { "sudo" });
+    if !is_root {
+        command.arg("apt-get");
+    }
+    command
+        .args(["-o", "DPkg::Lock::Timeout=300"])
+        .args(arguments);
+    run(command.env("DEBIAN_FRONTEND", "noninteractive"))
+}
