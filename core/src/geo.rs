@@ -101,8 +101,14 @@ mod tests {
 
     #[test]
     fn plane_and_back_gives_the_same_position() {
-        let plane = Plane::at(Position { lat: 53.75, lon: -12.9 });
-        let there = plane.position(Point { north: 3000.0, east: -4000.0 });
+        let plane = Plane::at(Position {
+            lat: 53.75,
+            lon: -12.9,
+        });
+        let there = plane.position(Point {
+            north: 3000.0,
+            east: -4000.0,
+        });
         let back = plane.point(there);
         assert!((back.north - 3000.0).abs() < 1e-6 && (back.east + 4000.0).abs() < 1e-6);
     }

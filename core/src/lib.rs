@@ -5,6 +5,7 @@
 extern crate alloc;
 
 pub mod alerts;
+pub mod autopilot;
 pub mod geo;
 pub mod picture;
 pub mod station;

@@ -20,7 +20,11 @@ pub fn wrap_360(degrees: f64) -> f64 {
 #[must_use]
 pub fn wrap_180(degrees: f64) -> f64 {
     let wrapped = wrap_360(degrees);
-    if wrapped > 180.0 { wrapped - 360.0 } else { wrapped }
+    if wrapped > 180.0 {
+        wrapped - 360.0
+    } else {
+        wrapped
+    }
 }
 
 macro_rules! direction {
@@ -281,7 +285,10 @@ mod tests {
     fn directions_wrap_and_differ_the_short_way() {
         assert_eq!(Heading::from_deg(-10.0).deg(), 350.0);
         assert_eq!(Heading::from_deg(360.0).deg(), 0.0);
-        assert_eq!((Heading::from_deg(10.0) - Heading::from_deg(350.0)).deg(), 20.0);
+        assert_eq!(
+            (Heading::from_deg(10.0) - Heading::from_deg(350.0)).deg(),
+            20.0
+        );
     }
 
     #[test]

@@ -1,0 +1,256 @@
+//! The steering laws: from what is measured and what is demanded to a rudder order, once a control step.
+//!
+//! ```text
+//! Demand::Track -> track.rs --+                       observer.rs: heading and rate without the waves
+//!                             +-> heading.rs -> rudder.rs -> order
+//! Demand::Heading ------------+                       ground.rs: position and current
+//! ```
+//! In: heading, rate, rudder, speeds, position. Out: the order with its terms. Absent on purpose: modes,
+//! alarms, ages (a value that is too old is absent here).
+//!
+//! **Invariant:** `|order| <= limit` and `|order - last order| <= slew dt`, whatever is demanded (FA6).
+
+mod ground;
+mod heading;
+mod observer;
+mod path;
+mod rudder;
+mod settings;
+mod track;
+
+pub use path::{Part, Path, PathTurn, Progress};
+pub use settings::SteeringSettings;
+
+use crate::geo::Point;
+use crate::units::{Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, Speed, wrap_180};
+use core::f64::consts::PI;
+use serde::{Deserialize, Serialize};
+
+/// What is measured now; a value that is not known, or too old, is absent.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Measured {
+    /// True heading.
+    pub heading: Heading,
+    /// Rate of turn.
+    pub rate: RateOfTurn,
+    /// Rudder angle as fed back.
+    pub rudder: Option<RudderAngle>,
+    /// Speed through the water, ahead.
+    pub water_speed: Option<Speed>,
+    /// Course and speed over ground.
+    pub ground: Option<(Course, Speed)>,
+    /// The last fix, in the local plane. The same value again is the same fix: it is carried on here.
+    pub position: Option<Point>,
+}
+
+/// What limits the rate of a heading change.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TurnBy {
+    /// A radius, held with the speed over ground (through the water where that is unknown).
+    Radius(Radius),
+    /// A rate of turn; its sign does not matter.
+    Rate(RateOfTurn),
+    /// The regulator's own rate.
+    Free,
+}
+
+/// What is demanded of the steering.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Demand {
+    /// Come to a heading and keep it.
+    Heading {
+        /// The heading.
+        set: Heading,
+        /// How fast to turn there.
+        by: TurnBy,
+    },
+    /// Sail along a path. Without a position the present heading reference is kept.
+    Track(Path),
+}
+
+/// A rudder order and why.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Steered {
+    /// The order.
+    pub order: RudderAngle,
+    /// The heading that is steered now.
+    pub hts: Heading,
+    /// The rate of turn that is steered now.
+    pub rate_reference: RateOfTurn,
+    /// Cross-track distance from the path, ship right of it positive.
+    pub cross_track: Option<Distance>,
+    /// Degrees of rudder: proportional, integral, rate, feed-forward.
+    pub terms: [f64; 4],
+    /// The order is at its limit.
+    pub limited: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Law {
+    Heading,
+    Track,
+}
+
+/// The steering: settings, and all state of the laws.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Steering {
+    settings: SteeringSettings,
+    observer: observer::Observer,
+    ground: ground::Ground,
+    reference: heading::Reference,
+    regulator: heading::Regulator,
+    guidance: track::Guidance,
+    rudder: rudder::Rudder,
+    law: Option<Law>,
+    cut: f64,
+}
+
+impl Steering {
+    /// Steering that has not begun; the order is amidships.
+    #[must_use]
+    pub fn new(settings: SteeringSettings) -> Self {
+        Self {
+            settings,
+            observer: observer::Observer::new(),
+            ground: ground::Ground::default(),
+            reference: heading::Reference::default(),
+            regulator: heading::Regulator::default(),
+            guidance: track::Guidance::default(),
+            rudder: rudder::Rudder::default(),
+            law: None,
+            cut: 0.0,
+        }
+    }
+
+    /// The settings in force.
+    #[must_use]
+    pub const fn settings(&self) -> &SteeringSettings {
+        &self.settings
+    }
+
+    /// The settings, to be changed between steps.
+    pub const fn settings_mut(&mut self) -> &mut SteeringSettings {
+        &mut self.settings
+    }
+
+    /// Takes over from another order (hand steering, another mode) without a bump. Estimates of heading,
+    /// position and current begin anew, since they were not kept up; what was learned of the bias stays.
+    pub fn engage(&mut self, order_now: RudderAngle, m: &Measured) {
+        self.observer = observer::Observer::new();
+        self.ground = ground::Ground::default();
+        self.guidance = track::Guidance::default();
+        self.reference = heading::Reference {
+            heading: m.heading.rad(),
+            rate: m.rate.rad_per_s(),
+            acceleration: 0.0,
+        };
+        self.rudder.engage(order_now.deg());
+        self.law = None;
+        self.cut = 0.0;
+    }
+
+    /// One control step of `dt` seconds.
+    pub fn step(
+        &mut self,
+        m: &Measured,
+        demand: &Demand,
+        rudder_limit: RudderAngle,
+        dt: f64,
+    ) -> Steered {
+        let settings = &self.settings;
+        let surge = m.water_speed.unwrap_or(settings.cruise_speed).mps();
+        let ship = settings.at_speed(surge);
+        let rudder = m
+            .rudder
+            .map_or(self.rudder.last().to_radians(), RudderAngle::rad);
+        let motion = self.observer.step(
+            m.heading.rad(),
+            m.rate.rad_per_s(),
+            rudder,
+            &ship,
+            settings,
+            dt,
+        );
+        let sailing = self
+            .ground
+            .step(m, &motion, surge, settings.current_time, dt);
+        let mut cross_track = None;
+        match (demand, sailing.position) {
+            (Demand::Track(path), Some(p)) => {
+                self.change_law(Law::Track);
+                let kin = (&sailing, motion.heading);
+                let steer = self
+                    .guidance
+                    .step(path, p, kin, (&ship, &self.settings), dt);
+                self.reference = steer.reference;
+                cross_track = Some(Distance::from_m(steer.cross_track));
+            }
+            (Demand::Heading { set, by }, _) => {
+                if self.change_law(Law::Heading) {
+                    self.reference = heading::Reference {
+                        heading: motion.heading,
+                        rate: motion.rate,
+                        acceleration: 0.0,
+                    };
+                }
+                let over_ground = m.ground.map_or(surge, |(_, speed)| speed.mps());
+                let rate = match by {
+                    TurnBy::Radius(radius) => over_ground / radius.m().max(10.0),
+                    TurnBy::Rate(rate) => rate.rad_per_s(),
+                    TurnBy::Free => self.settings.free_rate.rad_per_s(),
+                };
+                let acceleration = self.settings.turn_acceleration.to_radians();
+                let most = acceleration * ship.ratio * ship.ratio;
+                self.reference.step(wrap(set.rad()), rate, most, dt);
+            }
+            (Demand::Track(_), None) => self.reference.acceleration = 0.0,
+        }
+        let terms = self.regulator.step(
+            (motion.heading, motion.rate),
+            &self.reference,
+            (&ship, &self.settings),
+            self.cut,
+            dt,
+        );
+        let limit = rudder_limit.deg().min(self.settings.rudder_max.deg());
+        let order = self
+            .rudder
+            .step(terms.sum().to_degrees(), limit, self.settings.slew, dt);
+        self.cut = order.cut.to_radians();
+        Steered {
+            order: RudderAngle::from_deg(order.order),
+            hts: Heading::from_rad(self.reference.heading),
+            rate_reference: RateOfTurn::from_rad_per_s(self.reference.rate),
+            cross_track,
+            terms: [
+                terms.proportional,
+                terms.integral,
+                terms.rate,
+                terms.feedforward,
+            ]
+            .map(f64::to_degrees),
+            limited: order.limited,
+        }
+    }
+
+    /// Whether the law is another one than before.
+    fn change_law(&mut self, law: Law) -> bool {
+        let changed = self.law != Some(law);
+        if changed {
+            self.rudder.join();
+            self.law = Some(law);
+            if law == Law::Track {
+                self.guidance = track::Guidance::default();
+            }
+        }
+        changed
+    }
+}
+
+/// Wraps an angle in radians into -pi to pi.
+fn wrap(angle: f64) -> f64 {
+    wrap_180(angle * 180.0 / PI) * PI / 180.0
+}

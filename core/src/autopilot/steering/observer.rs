@@ -1,0 +1,179 @@
+//! Heading and rate of turn without the waves: a Kalman filter of five states.
+//!
+//! ```text
+//! xi'    = psi_w                                       waves, xi [rad s], psi_w [rad]
+//! psi_w' = -w0^2 xi - 2 lambda w0 psi_w + w1           w0 [rad/s], lambda 0.1
+//! psi'   = r                                           [rad]
+//! r'     = (K/T) (delta - delta_ss(r) - b) + w2        [rad/s], Norrbin instead of Nomoto
+//! b'     = w3                                          rudder bias [rad]
+//! y1 = psi + psi_w + v1,   y2 = r + psi_w' + v2        gyro, rate of turn sensor
+//! ```
+//! Fossen 2021, 13.4; Fossen and Perez, IEEE CSM 29(6), 2009. The steady-turn curve in the predictor keeps
+//! the rate unbiased in tight turns. An innovation beyond 8 degrees is a jump: not used for a second, then
+//! the filter begins anew there (FA8).
+
+use super::settings::{Ship, SteeringSettings};
+use super::wrap;
+use serde::{Deserialize, Serialize};
+
+const GYRO_DEVIATION: f64 = 0.0020;
+const RATE_DEVIATION: f64 = 0.00040;
+const RATE_NOISE: f64 = 1.2e-5;
+const BIAS_NOISE: f64 = 1.0e-4;
+const DAMPING: f64 = 0.1;
+const JUMP: f64 = 0.14;
+const JUMP_TIME: f64 = 1.0;
+
+/// State of the filter: waves (2), heading, rate, bias; and their covariance.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Observer {
+    x: [f64; 5],
+    p: [[f64; 5]; 5],
+    sway: f64,
+    jumped: f64,
+    begun: bool,
+}
+
+/// What the filter says, rad and seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Motion {
+    pub(super) heading: f64,
+    pub(super) rate: f64,
+    /// Sway through the water, m/s, starboard positive.
+    pub(super) sway: f64,
+}
+
+impl Observer {
+    pub(super) const fn new() -> Self {
+        Self {
+            x: [0.0; 5],
+            p: [[0.0; 5]; 5],
+            sway: 0.0,
+            jumped: 0.0,
+            begun: false,
+        }
+    }
+
+    fn begin(&mut self, heading: f64, rate: f64) {
+        let bias = self.x[4];
+        self.x = [0.0, 0.0, heading, rate, bias];
+        self.p = [[0.0; 5]; 5];
+        for (i, variance) in [1e-4, 1e-4, 1e-4, 1e-6, 1e-4].into_iter().enumerate() {
+            self.p[i][i] = variance;
+        }
+        self.jumped = 0.0;
+        self.begun = true;
+    }
+
+    /// One step: predict with the rudder, correct with gyro and rate of turn (rad, rad/s).
+    pub(super) fn step(
+        &mut self,
+        heading: f64,
+        rate: f64,
+        rudder: f64,
+        ship: &Ship,
+        settings: &SteeringSettings,
+        dt: f64,
+    ) -> Motion {
+        if !self.begun {
+            self.begin(heading, rate);
+            self.sway = -settings.sway * rate;
+        }
+        self.predict(rudder, ship, settings, dt);
+        let innovation = wrap(heading - self.x[2] - self.x[1]);
+        if libm::fabs(innovation) > JUMP {
+            self.jumped += dt;
+            if self.jumped >= JUMP_TIME {
+                self.begin(heading, rate);
+            }
+        } else {
+            self.jumped = 0.0;
+            self.correct(innovation, [0.0, 1.0, 1.0, 0.0, 0.0], GYRO_DEVIATION, dt);
+            let w = settings.wave_frequency;
+            let row = [-w * w, -2.0 * DAMPING * w, 0.0, 1.0, 0.0];
+            let expected: f64 = row.iter().zip(self.x).map(|(h, x)| h * x).sum();
+            self.correct(rate - expected, row, RATE_DEVIATION, dt);
+        }
+        self.x[2] = wrap(self.x[2]);
+        let lag = settings.sway_lag / ship.ratio;
+        self.sway += (-settings.sway * self.x[3] - self.sway) * (dt / lag.max(dt));
+        Motion {
+            heading: self.x[2],
+            rate: self.x[3],
+            sway: self.sway,
+        }
+    }
+
+    fn predict(&mut self, rudder: f64, ship: &Ship, settings: &SteeringSettings, dt: f64) {
+        let w = settings.wave_frequency.max(0.05);
+        let damped = w * libm::sqrt(1.0 - DAMPING * DAMPING);
+        let (fade, sine, cosine) = (
+            libm::exp(-DAMPING * w * dt),
+            libm::sin(damped * dt),
+            libm::cos(damped * dt),
+        );
+        let mut f = [[0.0; 5]; 5];
+        f[0][0] = fade * (cosine + DAMPING * w / damped * sine);
+        f[0][1] = fade * sine / damped;
+        f[1][0] = -fade * w * w / damped * sine;
+        f[1][1] = fade * (cosine - DAMPING * w / damped * sine);
+        f[2][2] = 1.0;
+        f[2][3] = dt;
+        f[3][3] = 1.0 - dt * (ship.steady_slope(self.x[3]) / ship.inertia).min(1.0);
+        f[3][4] = -dt / ship.inertia;
+        f[4][4] = 1.0;
+        let drive = rudder - ship.steady_rudder(self.x[3]) - self.x[4];
+        let [a, b, heading, rate, bias] = self.x;
+        self.x = [
+            f[0][0] * a + f[0][1] * b,
+            f[1][0] * a + f[1][1] * b,
+            heading + dt * rate,
+            rate + dt * drive / ship.inertia,
+            bias.clamp(-0.2, 0.2),
+        ];
+        let waves = settings.wave_yaw.to_radians();
+        let q = [
+            0.0,
+            4.0 * DAMPING * w * waves * waves * dt,
+            0.0,
+            RATE_NOISE * RATE_NOISE * ship.ratio * dt,
+            BIAS_NOISE * BIAS_NOISE * dt,
+        ];
+        let fp = product(&f, &self.p, false);
+        self.p = product(&fp, &f, true);
+        for (i, q) in q.into_iter().enumerate() {
+            self.p[i][i] += q;
+        }
+    }
+
+    /// Takes one scalar measurement, `innovation = y - row x`.
+    fn correct(&mut self, innovation: f64, row: [f64; 5], deviation: f64, dt: f64) {
+        let mut ph = [0.0; 5];
+        for (i, ph) in ph.iter_mut().enumerate() {
+            *ph = self.p[i].iter().zip(row).map(|(p, h)| p * h).sum();
+        }
+        let spread: f64 = row.iter().zip(ph).map(|(h, p)| h * p).sum();
+        let variance = spread + deviation * deviation * 0.1 / dt.max(0.01);
+        let before = self.p;
+        for i in 0..5 {
+            let gain = ph[i] / variance;
+            self.x[i] += gain * innovation;
+            for j in 0..5 {
+                self.p[i][j] = before[i][j] - gain * ph[j];
+            }
+        }
+    }
+}
+
+/// `a b`, or `a b^T`.
+fn product(a: &[[f64; 5]; 5], b: &[[f64; 5]; 5], transposed: bool) -> [[f64; 5]; 5] {
+    let mut c = [[0.0; 5]; 5];
+    for i in 0..5 {
+        for j in 0..5 {
+            for k in 0..5 {
+                c[i][j] += a[i][k] * if transposed { b[j][k] } else { b[k][j] };
+            }
+        }
+    }
+    c
+}
