@@ -1,5 +1,7 @@
 //! Positions on the WGS 84 ellipsoid and the local plane in which a ship is steered.
 
+pub mod rhumb;
+
 use core::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 

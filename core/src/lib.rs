@@ -8,6 +8,7 @@ pub mod alerts;
 pub mod autopilot;
 pub mod geo;
 pub mod picture;
+pub mod route;
 pub mod station;
 pub mod stream;
 pub mod time;
