@@ -13,3 +13,4 @@ pub mod station;
 pub mod stream;
 pub mod time;
 pub mod units;
+pub mod world;

@@ -1,0 +1,309 @@
+//! The world station: a simulated ship with her steering gear and sensors.
+//!
+//! In: rudder orders (ROR) on the gear's port. Out: gyro HDT and ROT and rudder angle RSA ten times a second,
+//! position GLL, velocity VTG and log VHW once a second. Absent on purpose: wind, roll, shallow water.
+//!
+//! **Invariant:** a rudder order older than 2 s, or with status V, leaves the rudder where it is.
+
+mod hull;
+mod noise;
+mod sensors;
+mod talk;
+
+pub use hull::{Drive, Hull};
+pub use noise::{Drift, Random, Waves};
+pub use sensors::Noise;
+
+use crate::geo::{Plane, Point, Position};
+use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile};
+use crate::stream::FaultKind;
+use crate::time::Stamp;
+use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
+use alloc::string::String;
+use alloc::vec::Vec;
+use sensors::{Compass, Receiver};
+use serde::{Deserialize, Serialize};
+
+/// Milliseconds of one step.
+const STEP: u64 = 100;
+/// Age at which a rudder order is no longer obeyed, milliseconds.
+const ORDER_AGE: u64 = 2000;
+/// Where the plane is laid anew under the ship, metres from its origin.
+const PLANE_REACH: f64 = 3000.0;
+
+/// How the world begins.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WorldConfig {
+    /// Where the ship is.
+    pub start: Position,
+    /// Her heading.
+    pub heading: Heading,
+    /// Speed that the engine keeps on a straight course.
+    pub speed: Speed,
+    /// Direction towards which the current sets.
+    pub current_set: Course,
+    /// Speed of the current.
+    pub current_drift: Speed,
+    /// Ports; a profile that is not here sends nothing.
+    pub ports: Vec<PortSetup>,
+    /// Seed of all noise.
+    pub seed: u64,
+    /// How noisy the sensors are.
+    pub noise: Noise,
+}
+
+impl Default for WorldConfig {
+    fn default() -> Self {
+        let port = |name: &str, profile| PortSetup {
+            name: String::from(name),
+            profile,
+            checksum: ChecksumPolicy::Required,
+            baud: 38_400,
+            output: true,
+        };
+        Self {
+            start: Position {
+                lat: 54.0,
+                lon: 7.5,
+            },
+            heading: Heading::from_deg(0.0),
+            speed: Speed::from_knots(15.0),
+            current_set: Course::from_deg(0.0),
+            current_drift: Speed::from_knots(0.0),
+            ports: alloc::vec![
+                port("gyro1", Profile::Gyro1),
+                port("gps", Profile::Gps),
+                port("log", Profile::Log),
+                port("gear", Profile::Gear),
+            ],
+            seed: 1,
+            noise: Noise::default(),
+        }
+    }
+}
+
+/// The truth that no sensor says, for tests and the trainer.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Truth {
+    /// Where the ship is (midship).
+    pub position: Position,
+    /// Where the bow points.
+    pub heading: Heading,
+    /// How fast it turns.
+    pub rate: RateOfTurn,
+    /// Speed ahead through the water.
+    pub water_speed: Speed,
+    /// Speed over ground.
+    pub ground_speed: Speed,
+    /// Rudder.
+    pub rudder: RudderAngle,
+}
+
+/// Hull, steering gear and sensors behind ports.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct World {
+    config: WorldConfig,
+    hull: Hull,
+    drive: Drive,
+    plane: Plane,
+    random: Random,
+    compass: Compass,
+    receiver: Receiver,
+    log_injury: sensors::Injury,
+    log_speed: f64,
+    /// Last valid rudder order (rad) and when it came.
+    order: Option<(f64, Stamp)>,
+    ear: talk::Ear,
+    next: Stamp,
+    steps: u64,
+    sailed: f64,
+}
+
+impl World {
+    /// A ship running straight; the first step is at time 0.
+    #[must_use]
+    pub fn new(config: WorldConfig) -> Self {
+        let speed = config.speed.mps();
+        let hull = Hull::running(config.heading.rad(), speed);
+        let mut world = Self {
+            hull,
+            drive: Drive {
+                approach_speed: speed,
+                ..Drive::default()
+            },
+            plane: Plane::at(config.start),
+            random: Random::new(config.seed),
+            compass: Compass::default(),
+            receiver: Receiver::at(config.start),
+            log_injury: sensors::Injury::default(),
+            log_speed: speed,
+            order: None,
+            ear: talk::Ear::default(),
+            next: Stamp(0),
+            steps: 0,
+            sailed: 0.0,
+            config,
+        };
+        world.set_current(world.config.current_set, world.config.current_drift);
+        world
+    }
+
+    /// When the next step is due.
+    #[must_use]
+    pub const fn due(&self) -> Stamp {
+        self.next
+    }
+
+    /// Its ports.
+    #[must_use]
+    pub fn ports(&self) -> &[PortSetup] {
+        &self.config.ports
+    }
+
+    /// Index of the port with that profile.
+    #[must_use]
+    pub fn port(&self, profile: Profile) -> Option<PortIndex> {
+        self.config.ports.iter().position(|p| p.profile == profile)
+    }
+
+    /// Runs all steps due up to `now`, then takes the input.
+    pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
+        while self.next <= now {
+            self.step(out);
+        }
+        if let Input::Bytes { port, bytes } = input
+            && Some(port) == self.port(Profile::Gear)
+        {
+            self.ear.hear(bytes, &mut |order| {
+                self.order = order.map(|degrees| (degrees.to_radians(), now));
+            });
+        }
+    }
+
+    /// Changes the current.
+    pub fn set_current(&mut self, set: Course, drift: Speed) {
+        self.drive.current_north = drift.mps() * libm::cos(set.rad());
+        self.drive.current_east = drift.mps() * libm::sin(set.rad());
+        self.config.current_set = set;
+        self.config.current_drift = drift;
+    }
+
+    /// Direction and speed of the current.
+    #[must_use]
+    pub const fn current(&self) -> (Course, Speed) {
+        (self.config.current_set, self.config.current_drift)
+    }
+
+    /// Puts the ship elsewhere for a new round: running straight, rudder amidships. Injuries stay.
+    pub fn reset(&mut self, position: Position, heading: Heading) {
+        self.hull = Hull::running(heading.rad(), self.config.speed.mps());
+        self.plane = Plane::at(position);
+        self.order = None;
+    }
+
+    /// Injures or heals the sensors of a profile; false where that profile or kind is not a sensor's.
+    pub fn injure(&mut self, profile: Profile, kind: FaultKind, on: bool) -> bool {
+        let injury = match profile {
+            Profile::Gyro1 => &mut self.compass.injury,
+            Profile::Gps => &mut self.receiver.injury,
+            Profile::Log => &mut self.log_injury,
+            _ => return false,
+        };
+        match kind {
+            FaultKind::Jump => injury.jump = on,
+            FaultKind::Stuck => injury.stuck = on,
+            _ => return false,
+        }
+        true
+    }
+
+    /// The truth.
+    #[must_use]
+    pub fn truth(&self) -> Truth {
+        let (north, east) = self.hull.ground_velocity(&self.drive);
+        Truth {
+            position: self.plane.position(self.place()),
+            heading: Heading::from_rad(self.hull.heading),
+            rate: RateOfTurn::from_rad_per_s(self.hull.rate),
+            water_speed: Speed::from_mps(self.hull.surge),
+            ground_speed: Speed::from_mps(libm::hypot(north, east)),
+            rudder: RudderAngle::from_deg(self.hull.rudder.to_degrees()),
+        }
+    }
+
+    /// Distance sailed through the water since the beginning.
+    #[must_use]
+    pub const fn sailed(&self) -> Distance {
+        Distance::from_m(self.sailed)
+    }
+
+    const fn place(&self) -> Point {
+        Point {
+            north: self.hull.north,
+            east: self.hull.east,
+        }
+    }
+
+    fn step(&mut self, out: &mut Vec<Output>) {
+        let now = self.next;
+        let dt = STEP as f64 / 1000.0;
+        self.drive.order = match self.order {
+            Some((order, at)) if now.since(at) <= ORDER_AGE => order,
+            _ => self.hull.rudder,
+        };
+        self.hull.step(&self.drive, dt);
+        self.sailed += self.hull.surge * dt;
+        if libm::hypot(self.hull.north, self.hull.east) > PLANE_REACH {
+            self.plane = Plane::at(self.plane.position(self.place()));
+            (self.hull.north, self.hull.east) = (0.0, 0.0);
+        }
+        let noise = self.config.noise;
+        let rate = self.hull.rate.to_degrees();
+        self.compass.measure(
+            self.hull.heading.to_degrees(),
+            rate,
+            &noise,
+            &mut self.random,
+            dt,
+        );
+        self.say(Profile::Gyro1, out, |line| {
+            talk::heading(line, self.compass.heading);
+            talk::rate(line, self.compass.rate);
+        });
+        let rudder = self.hull.rudder.to_degrees();
+        self.say(Profile::Gear, out, |line| talk::rudder(line, rudder));
+        if self.steps.is_multiple_of(1000 / STEP) {
+            self.say_each_second(now, out);
+        }
+        self.steps += 1;
+        self.next = now + STEP;
+    }
+
+    fn say_each_second(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        let velocity = self.hull.ground_velocity(&self.drive);
+        let noise = self.config.noise;
+        let place = self.place();
+        self.receiver
+            .measure(&self.plane, place, velocity, &noise, &mut self.random);
+        if !self.log_injury.stuck {
+            let jump = if self.log_injury.jump { 5.0 } else { 0.0 };
+            self.log_speed = self.hull.surge + jump;
+        }
+        self.say(Profile::Gps, out, |line| {
+            talk::position(line, self.receiver.position, now);
+            talk::velocity(line, self.receiver.course, self.receiver.speed);
+        });
+        self.say(Profile::Log, out, |line| talk::log(line, self.log_speed));
+    }
+
+    fn say(&self, profile: Profile, out: &mut Vec<Output>, what: impl FnOnce(&mut Vec<u8>)) {
+        if let Some(port) = self.port(profile) {
+            let mut bytes = Vec::with_capacity(80);
+            what(&mut bytes);
+            out.push(Output::Send { port, bytes });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
