@@ -7,6 +7,7 @@ extern crate alloc;
 pub mod alerts;
 pub mod autopilot;
 pub mod geo;
+pub mod nmea;
 pub mod picture;
 pub mod route;
 pub mod station;

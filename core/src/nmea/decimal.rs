@@ -1,0 +1,303 @@
+//! Numbers as they stand on the wire: an exact mantissa and scale that print back as they came.
+
+use alloc::string::String;
+
+/// Powers of ten that a `u64` holds.
+pub(crate) const POW10: [u64; 20] = {
+    let mut table = [1u64; 20];
+    let mut i = 1;
+    while i < 20 {
+        table[i] = table[i - 1] * 10;
+        i += 1;
+    }
+    table
+};
+
+const FLOAT_POW10: [f64; 20] = {
+    let mut table = [1f64; 20];
+    let mut i = 1;
+    while i < 20 {
+        table[i] = POW10[i] as f64;
+        i += 1;
+    }
+    table
+};
+
+/// A number of the wire: `0.350` and `028` come back as they were.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Decimal {
+    mantissa: u64,
+    scale: u8,
+    whole: u8,
+    sign: u8,
+}
+
+const NEGATIVE: u8 = 1;
+const PLUS: u8 = 2;
+/// A point stands although no decimals follow it.
+const POINT: u8 = 4;
+
+impl Decimal {
+    /// A number of `mantissa` times ten to the minus `scale`, with at least `whole` digits before the point.
+    #[must_use]
+    pub const fn new(negative: bool, mantissa: u64, scale: u8, whole: u8) -> Self {
+        let scale = if scale > 19 { 19 } else { scale };
+        Self {
+            mantissa,
+            scale,
+            whole,
+            sign: negative as u8,
+        }
+    }
+
+    /// Rounds `value` to `decimals`; none where it is not finite or too large.
+    #[must_use]
+    pub fn from_f64(value: f64, whole: u8, decimals: u8) -> Option<Self> {
+        let scaled = libm::round(libm::fabs(value) * FLOAT_POW10[usize::from(decimals.min(15))]);
+        // Written so that a NaN is refused too.
+        if scaled < 1e18 {
+            let mantissa = scaled as u64;
+            Some(Self::new(
+                value < 0.0 && mantissa != 0,
+                mantissa,
+                decimals.min(15),
+                whole,
+            ))
+        } else {
+            None
+        }
+    }
+
+    /// Reads a field; none where it is not a plain decimal number of at most 19 digits.
+    #[must_use]
+    #[inline]
+    pub fn parse(text: &[u8]) -> Option<Self> {
+        let (sign, digits) = match text.first()? {
+            b'-' => (NEGATIVE, &text[1..]),
+            b'+' => (PLUS, &text[1..]),
+            _ => (0, text),
+        };
+        let mut mantissa = 0u64;
+        let mut at = 0;
+        while at < digits.len() {
+            let digit = digits[at].wrapping_sub(b'0');
+            if digit > 9 {
+                break;
+            }
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+            at += 1;
+        }
+        let whole = at;
+        let mut sign = sign;
+        let mut scale = 0;
+        if at < digits.len() {
+            if digits[at] != b'.' {
+                return None;
+            }
+            at += 1;
+            while at < digits.len() {
+                let digit = digits[at].wrapping_sub(b'0');
+                if digit > 9 {
+                    return None;
+                }
+                mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+                at += 1;
+            }
+            scale = at - whole - 1;
+            if scale == 0 {
+                sign |= POINT;
+            }
+        }
+        let count = whole + scale;
+        if count == 0 || count > 19 {
+            return None;
+        }
+        Some(Self {
+            mantissa,
+            scale: scale as u8,
+            whole: whole as u8,
+            sign,
+        })
+    }
+
+    /// The digits as one number, without sign and point.
+    #[must_use]
+    pub const fn mantissa(self) -> u64 {
+        self.mantissa
+    }
+    /// Digits after the point.
+    #[must_use]
+    pub const fn scale(self) -> u8 {
+        self.scale
+    }
+    /// Digits before the point, leading zeros counted.
+    #[must_use]
+    pub const fn whole(self) -> u8 {
+        self.whole
+    }
+    /// Whether it is written with a minus, or was given a side that counts as negative.
+    #[must_use]
+    pub const fn negative(self) -> bool {
+        self.sign & NEGATIVE != 0
+    }
+    /// Whether a sign is written before it.
+    #[must_use]
+    pub(crate) const fn signed(self) -> bool {
+        self.sign & (NEGATIVE | PLUS) != 0
+    }
+    /// The same size with the other or the same sign.
+    #[must_use]
+    pub const fn with_negative(mut self, negative: bool) -> Self {
+        self.sign = (self.sign & !NEGATIVE) | negative as u8;
+        self
+    }
+
+    /// The nearest floating-point number.
+    #[must_use]
+    #[inline]
+    pub fn value(self) -> f64 {
+        let size = self.mantissa as f64 / FLOAT_POW10[usize::from(self.scale)];
+        if self.negative() && self.mantissa != 0 {
+            -size
+        } else {
+            size
+        }
+    }
+
+    /// Whether it lies from `low` to `high`, both included; exact.
+    #[must_use]
+    #[inline]
+    pub fn within(self, low: i32, high: i32) -> bool {
+        let one = POW10[usize::from(self.scale)];
+        let not_above = |limit: u64| limit.checked_mul(one).is_none_or(|l| self.mantissa <= l);
+        if self.negative() && self.mantissa != 0 {
+            let above_high = high < 0
+                && u64::from(high.unsigned_abs())
+                    .checked_mul(one)
+                    .is_none_or(|l| self.mantissa < l);
+            low < 0 && not_above(u64::from(low.unsigned_abs())) && !above_high
+        } else {
+            let below_low = low > 0
+                && u64::from(low.unsigned_abs())
+                    .checked_mul(one)
+                    .is_none_or(|l| self.mantissa < l);
+            high >= 0 && not_above(u64::from(high.unsigned_abs())) && !below_low
+        }
+    }
+
+    /// Appends the number; the sign is left out where `unsigned`, because a side follows.
+    pub(crate) fn write(self, out: &mut String, unsigned: bool) {
+        if !unsigned && self.sign & PLUS != 0 {
+            out.push('+');
+        } else if !unsigned && self.negative() {
+            out.push('-');
+        }
+        let mut digits = [b'0'; 40];
+        let mut at = digits.len();
+        let mut rest = self.mantissa;
+        let mut written = 0;
+        let wanted = usize::from(self.scale) + usize::from(self.whole.min(19));
+        while rest > 0 || written < wanted {
+            if written == usize::from(self.scale) && (self.scale > 0 || self.sign & POINT != 0) {
+                at -= 1;
+                digits[at] = b'.';
+            }
+            at -= 1;
+            digits[at] = b'0' + (rest % 10) as u8;
+            rest /= 10;
+            written += 1;
+        }
+        if written == usize::from(self.scale) && self.scale > 0 {
+            at -= 1;
+            digits[at] = b'.';
+        }
+        out.extend(digits[at..].iter().map(|&d| char::from(d)));
+    }
+}
+
+impl core::fmt::Display for Decimal {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let mut text = String::new();
+        self.write(&mut text, false);
+        f.write_str(&text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::string::ToString;
+
+    #[test]
+    fn a_number_prints_back_as_it_was_written() {
+        for text in [
+            "028",
+            "0.350",
+            "-0.0",
+            "+12.5",
+            "12.",
+            ".5",
+            "0",
+            "-027.5",
+            "291.300000000000011",
+        ] {
+            assert_eq!(
+                Decimal::parse(text.as_bytes())
+                    .map(|d| d.to_string())
+                    .as_deref(),
+                Some(text)
+            );
+        }
+        for text in [
+            "",
+            "-",
+            ".",
+            "1e308",
+            "NaN",
+            "1.2.3",
+            " 1",
+            "1 ",
+            "0x10",
+            "12345678901234567890",
+        ] {
+            assert_eq!(Decimal::parse(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn ranges_are_exact() {
+        let check = |text: &str, low, high, expect| {
+            assert_eq!(
+                Decimal::parse(text.as_bytes()).map(|d| d.within(low, high)),
+                Some(expect),
+                "{text}"
+            );
+        };
+        check("360.0", 0, 360, true);
+        check("360.0000000001", 0, 360, false);
+        check("-0.0", 0, 360, true);
+        check("-0.1", 0, 360, false);
+        check("-180", -180, 180, true);
+        check("-180.01", -180, 180, false);
+        check("0.9", 1, 9, false);
+        check("9999999999999999999", 0, 360, false);
+    }
+
+    #[test]
+    fn floats_round_to_the_declared_decimals() {
+        let check = |value, whole, decimals, expect: &str| {
+            assert_eq!(
+                Decimal::from_f64(value, whole, decimals)
+                    .map(|d| d.to_string())
+                    .as_deref(),
+                Some(expect)
+            );
+        };
+        check(27.46, 3, 1, "027.5");
+        check(0.35, 1, 3, "0.350");
+        check(-0.04, 1, 1, "0.0");
+        check(-4.06, 1, 1, "-4.1");
+        assert_eq!(Decimal::from_f64(f64::NAN, 1, 1), None);
+        assert_eq!(Decimal::from_f64(f64::INFINITY, 1, 1), None);
+    }
+}

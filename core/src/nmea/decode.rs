@@ -1,0 +1,323 @@
+//! Decoding: a line becomes a sentence with its raw fields; values and faults are read from it by its table.
+//!
+//! **Invariant:** decoding never fails and never panics; nothing is allocated where nothing is wrong.
+
+use super::fault::{Fault, FaultKind};
+use super::read::read;
+use super::scan::{FieldList, scan};
+use super::table::{Definition, Kind, Repeat};
+use super::tables;
+use super::tag::TagBlock;
+use super::value::{Value, hex_byte};
+use super::view::group_count;
+use alloc::vec::Vec;
+
+/// What the checksum of a line says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Checksum {
+    /// It is right.
+    Right(u8),
+    /// It differs.
+    Wrong {
+        /// What stands there; none where it cannot be read.
+        given: Option<u8>,
+        /// What it should be.
+        computed: u8,
+    },
+    /// There is none.
+    Missing {
+        /// What it should be.
+        computed: u8,
+    },
+}
+
+impl Checksum {
+    /// Whether it stands there and is right.
+    #[must_use]
+    pub const fn is_right(self) -> bool {
+        matches!(self, Self::Right(_))
+    }
+    /// What it is or should be.
+    #[must_use]
+    pub const fn computed(self) -> u8 {
+        match self {
+            Self::Right(computed) | Self::Wrong { computed, .. } | Self::Missing { computed } => {
+                computed
+            }
+        }
+    }
+}
+
+/// A decoded line: its parts, borrowed from it.
+#[derive(Clone, Debug)]
+pub struct Sentence<'a> {
+    /// The line, TAG block included, without CR LF.
+    pub raw: &'a [u8],
+    /// The sentence alone, from `$` or `!` on.
+    pub text: &'a [u8],
+    /// Its TAG block.
+    pub tag: Option<TagBlock<'a>>,
+    /// Its address, such as `EIHTC` or `PNEY`; empty where it cannot be read.
+    pub address: &'a str,
+    /// Its talker; `P` for a proprietary sentence.
+    pub talker: &'a str,
+    /// Its formatter, such as `HTC` or `PNEY,001`.
+    pub formatter: &'a str,
+    /// Its checksum.
+    pub checksum: Checksum,
+    /// Its entry in the dictionary.
+    pub known: Option<&'static Definition>,
+    /// Its raw fields, numbered from 1.
+    pub fields: FieldList<'a>,
+}
+
+/// A member of a decoded sentence.
+#[derive(Clone, Copy, Debug)]
+pub struct Item<'a> {
+    /// Number of its first field, from 1.
+    pub field: usize,
+    /// What it is.
+    pub kind: &'static Kind,
+    /// Which entry of the group, from 1; 0 outside.
+    pub entry: usize,
+    /// Index of the member within its list (members, group or tail).
+    pub(crate) index: usize,
+    /// Its value.
+    pub value: Value<'a>,
+}
+
+/// Decodes one line. Never fails: what is wrong is found in [`Sentence::faults`].
+///
+/// ```
+/// use wheelover_core::nmea::{decode, Checksum};
+/// let sentence = decode(b"$HEHDT,216.8,T*2A");
+/// assert_eq!(sentence.formatter, "HDT");
+/// assert_eq!(sentence.checksum, Checksum::Wrong { given: Some(0x2A), computed: 0x22 });
+/// assert!(sentence.fields.get(1) == b"216.8");
+/// ```
+#[must_use]
+pub fn decode(line: &[u8]) -> Sentence<'_> {
+    let raw = trim(line);
+    let (tag, text) = if raw.first() == Some(&b'\\') {
+        TagBlock::take(raw)
+    } else {
+        (None, raw)
+    };
+    let inside = match text.first() {
+        Some(b'$' | b'!') => &text[1..],
+        _ => text,
+    };
+    let (body, given) = match inside {
+        [body @ .., b'*', high, low] => (body, Some(hex_byte(&[*high, *low]))),
+        _ => match inside.iter().position(|&b| b == b'*') {
+            Some(star) => (&inside[..star], Some(None)),
+            None => (inside, None),
+        },
+    };
+    let body = body.get(..usize::from(u16::MAX)).unwrap_or(body);
+    let (fields, computed) = scan(body);
+    let checksum = match given {
+        Some(Some(given)) if given == computed => Checksum::Right(computed),
+        Some(given) => Checksum::Wrong { given, computed },
+        None => Checksum::Missing { computed },
+    };
+    let address = core::str::from_utf8(&body[..fields.start(0)]).unwrap_or("");
+    let (talker, formatter, known) = identify(body, address, &fields);
+    Sentence {
+        raw,
+        text,
+        tag,
+        address,
+        talker,
+        formatter,
+        checksum,
+        known,
+        fields,
+    }
+}
+
+fn trim(mut line: &[u8]) -> &[u8] {
+    while let [rest @ .., b'\r' | b'\n' | b' ' | b'\t'] = line {
+        line = rest;
+    }
+    while let [b' ' | b'\t' | b'\n' | b'\r', rest @ ..] = line {
+        line = rest;
+    }
+    line
+}
+
+#[inline]
+fn identify<'a>(
+    body: &'a [u8],
+    address: &'a str,
+    fields: &FieldList<'a>,
+) -> (&'a str, &'a str, Option<&'static Definition>) {
+    if let Some(maker) = address.strip_prefix('P')
+        && !maker.is_empty()
+    {
+        let whole = core::str::from_utf8(&body[..fields.start(1)]).unwrap_or(address);
+        return match tables::proprietary(whole) {
+            Some(known) => (&address[..1], whole, Some(known)),
+            None => (&address[..1], address, None),
+        };
+    }
+    match address.len() {
+        5 if address.is_char_boundary(2) => {
+            let (talker, formatter) = address.split_at(2);
+            match tables::find(formatter) {
+                Some(known) => (talker, formatter, Some(known)),
+                None if address.as_bytes()[4] == b'Q' => (talker, formatter, Some(tables::query())),
+                None => (talker, formatter, None),
+            }
+        }
+        _ => ("", address, None),
+    }
+}
+
+impl<'a> Sentence<'a> {
+    /// Visits every member with its value, and every fault of the fields.
+    #[inline]
+    pub fn walk(&self, mut item: impl FnMut(Item<'a>), faults: &mut Vec<Fault>) {
+        let Some(definition) = self.known else { return };
+        let mut at = definition.first();
+        let mut visit =
+            |members: &'static [Kind], entry: usize, at: &mut usize, faults: &mut Vec<Fault>| {
+                for (index, kind) in members.iter().enumerate() {
+                    if *at >= self.fields.len() {
+                        break;
+                    }
+                    let value = read(kind, &self.fields, *at, faults);
+                    item(Item {
+                        field: *at + 1,
+                        kind,
+                        entry,
+                        index,
+                        value,
+                    });
+                    *at += kind.width();
+                }
+            };
+        visit(definition.members, 0, &mut at, faults);
+        if let Some(group) = &definition.group {
+            for entry in 1..=group_count(definition, &self.fields) {
+                visit(group.members, entry, &mut at, faults);
+            }
+            visit(definition.tail, 0, &mut at, faults);
+        }
+    }
+
+    /// Everything that is wrong: frame, number of fields, fields. Empty and free of cost where nothing is.
+    #[must_use]
+    pub fn faults(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        self.frame_faults(&mut faults);
+        self.walk(|_| (), &mut faults);
+        faults
+    }
+
+    /// Faults of the fields alone: address, number, contents; without checksum and length.
+    #[must_use]
+    pub fn field_faults(&self) -> Vec<Fault> {
+        let mut faults = self.faults();
+        faults.retain(|fault| !fault.kind.of_frame());
+        faults
+    }
+
+    /// Whether frame, checksum and every field are right.
+    #[must_use]
+    pub fn is_clean(&self) -> bool {
+        self.checksum.is_right() && self.faults().is_empty()
+    }
+
+    /// Whether this is a sentence of that formatter.
+    #[must_use]
+    pub fn is(&self, formatter: &str) -> bool {
+        self.formatter == formatter
+    }
+
+    pub(crate) fn frame_faults(&self, faults: &mut Vec<Fault>) {
+        let computed = self.checksum.computed();
+        match self.checksum {
+            Checksum::Right(_) => {}
+            Checksum::Wrong { given, .. } => {
+                faults.push(Fault::line(FaultKind::BadChecksum { given, computed }));
+            }
+            Checksum::Missing { .. } => {
+                faults.push(Fault::line(FaultKind::MissingChecksum(computed)));
+            }
+        }
+        // CR and LF count too (SEN-1).
+        if self.text.len() + 2 > 82 {
+            let length = u16::try_from(self.text.len() + 2).unwrap_or(u16::MAX);
+            faults.push(Fault::line(FaultKind::TooLong(length)));
+        }
+        let plain = self
+            .address
+            .bytes()
+            .all(|b| b.is_ascii_uppercase() || b.is_ascii_digit());
+        if self.address.is_empty() || !plain || self.talker.is_empty() {
+            faults.push(Fault::line(FaultKind::BadAddress));
+        }
+        if let Some(definition) = self.known {
+            count_fault(definition, &self.fields, faults);
+        }
+    }
+}
+
+/// Whether the number of fields is one of the editions'; one empty field too many is none (SEN-5).
+fn count_fault(definition: &Definition, fields: &FieldList<'_>, faults: &mut Vec<Fault>) {
+    let found = fields.len();
+    let (accepted, expected) = match &definition.group {
+        None => (
+            definition
+                .lengths
+                .iter()
+                .any(|&length| usize::from(length) == found),
+            definition
+                .lengths
+                .iter()
+                .copied()
+                .max()
+                .map_or(definition.sent(), usize::from),
+        ),
+        Some(group) => {
+            let tail = definition.tail_width();
+            let fixed = definition.fixed_width();
+            let entries = group_count(definition, fields);
+            let expected = fixed + entries * group.width();
+            let whole = match group.repeat {
+                Repeat::Counted(at) => super::Decimal::parse(fields.at(usize::from(at)))
+                    .is_none_or(|count| count.value() as usize == entries),
+                Repeat::Open => (found.saturating_sub(fixed)) % group.width() == 0,
+                Repeat::UpTo(_) => true,
+            };
+            (
+                whole && (found == expected || found == expected + tail),
+                expected + tail,
+            )
+        }
+    };
+    if accepted {
+        return;
+    }
+    if found == expected + 1 && fields.at(found - 1).is_empty() {
+        return;
+    }
+    let said = found as u8;
+    if found > expected {
+        let kind = FaultKind::ExtraField {
+            found: said,
+            expected: expected as u8,
+        };
+        faults.push(Fault::at(expected, kind));
+    } else {
+        let expected = definition
+            .lengths
+            .first()
+            .map_or(expected as u8, |&length| length);
+        faults.push(Fault::line(FaultKind::FieldCount {
+            found: said,
+            expected,
+        }));
+    }
+}

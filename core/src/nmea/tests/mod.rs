@@ -1,0 +1,4 @@
+//! Tests over the whole dictionary.
+
+mod framing;
+mod views;
