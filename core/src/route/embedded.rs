@@ -1,4 +1,4 @@
-//! The route of the embedded voyage: six legs in the Gulf of Finland with five turns to both sides.
+//! The route of the embedded voyage: a circuit of seven legs in the Gulf of Finland, turns to both sides.
 
 use super::{Route, RouteLimits, Waypoint};
 use crate::geo::{Position, rhumb};
@@ -12,19 +12,21 @@ const FIRST: Position = Position {
 };
 
 /// Course and length (nautical miles) of each leg, then identifier and radius of the waypoint at its end.
-const LEGS: [(f64, f64, &str, Option<f64>); 6] = [
-    (245.0, 2.0, "001", Some(0.5)),
-    (280.0, 2.4, "002", Some(0.6)),
-    (205.0, 2.5, "HAMBURG", Some(0.5)),
-    (290.0, 2.6, "004", Some(0.8)),
-    (330.0, 2.4, "005", Some(0.7)),
-    (270.0, 2.4, "006", None),
+/// The last leg ends a quarter of a mile before the first begins, on the same course: round after round.
+const LEGS: [(f64, f64, &str, Option<f64>); 7] = [
+    (245.0, 1.2, "001", Some(0.5)),
+    (330.0, 2.2, "002", Some(0.8)),
+    (300.0, 2.0, "HAMBURG", Some(0.6)),
+    (40.0, 3.800, "004", Some(0.5)),
+    (155.0, 3.623, "005", Some(0.8)),
+    (130.0, 2.0, "006", Some(0.5)),
+    (245.0, 1.5, "007", None),
 ];
 
 /// Time from the start to the first wheel-over line at the planned speed, seconds.
 const FIRST_WHEEL_OVER_S: f64 = 80.0;
 
-/// The route of the embedded voyage; fifty minutes at 15 knots.
+/// The route of the embedded voyage; an hour at 15 knots.
 #[must_use]
 #[allow(clippy::missing_panics_doc)] // the route is a constant, and a test builds it
 pub fn embedded() -> Route {

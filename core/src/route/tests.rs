@@ -190,7 +190,7 @@ fn the_embedded_route_turns_both_ways_and_wheels_over_early() {
             document.turns.len(),
             document.revision
         ),
-        (7, 5, 3)
+        (8, 6, 3)
     );
 }
 
