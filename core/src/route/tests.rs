@@ -235,9 +235,9 @@ fn a_ship_along_the_track_passes_each_line_in_order() {
         }
     }
     let mut expected = vec![];
-    for leg in 0..5 {
+    for leg in 0..6 {
         expected.extend([Phase::Leg(leg), Phase::Forwarding(leg), Phase::Arc(leg)]);
     }
-    expected.extend([Phase::Leg(5), Phase::Past]);
+    expected.extend([Phase::Leg(6), Phase::Past]);
     assert_eq!(seen, expected);
 }
