@@ -1,5 +1,9 @@
-//! Alerts by IEC 62923: one table of numbers and texts, one state machine.
+//! Alerts by IEC 62923: one table of numbers and texts, one state machine (AP-11, FA15, DSP-5).
 
+use crate::stream::AlertView;
+use crate::time::Stamp;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Priority, highest first.
@@ -14,7 +18,7 @@ pub enum Priority {
     Caution,
 }
 
-/// State of an alert.
+/// State of an alert (IEC 62923-1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
@@ -39,4 +43,331 @@ pub enum Category {
     A,
     /// Anywhere.
     B,
+}
+
+/// How long a silenced alert stays silent (MSC.302(87) 7.3.5).
+pub const SILENCE_MS: u64 = 30_000;
+
+macro_rules! alerts {
+    ($($(#[$doc:meta])* $name:ident = $number:literal, $priority:ident, $category:ident, $title:literal, $text:literal;)*) => {
+        /// Every alert this project raises.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Alert {
+            $($(#[$doc])* $name = $number,)*
+        }
+        impl Alert {
+            /// All alerts, in the order of their numbers.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+            /// Priority, category, title (at most 18 characters) and text.
+            #[must_use]
+            pub const fn definition(self) -> (Priority, Category, &'static str, &'static str) {
+                match self {
+                    $(Self::$name => (Priority::$priority, Category::$category, $title, $text),)*
+                }
+            }
+        }
+    };
+}
+
+alerts! {
+    /// TCS-8: the chart system's control is lost.
+    TrackFail = 101, Alarm, B, "TRACK FAIL", "Track control lost. AUTO steers: check heading, SWITCH TO AUTO to take over";
+    /// TCS-8: the chart system's sentences are late.
+    TrackDataLate = 102, Caution, B, "TRACK DATA LATE", "The chart system's sentences are late. Check the chart system";
+    /// FA7: no usable heading.
+    HeadingLost = 110, Alarm, B, "HEADING LOST", "No usable heading. Rudder held: steer by hand";
+    /// FA8: a heading jumped and was rejected.
+    HeadingJump = 111, Caution, B, "HEADING JUMP", "The heading jumped and is not used. Check the gyro";
+    /// AP-5: off the set heading.
+    OffHeading = 112, Warning, B, "OFF HEADING", "The ship is off the set heading. Check speed, rudder and limits";
+    /// FA9: a position jumped and was rejected.
+    PositionJump = 120, Caution, B, "POSITION JUMP", "A position is off the dead reckoning and is not used. Check the receiver";
+    /// AP-7: the position is not corrected.
+    NoDifferential = 121, Caution, B, "NO DGPS", "The position is without differential correction";
+    /// AP-9: no measured speed; the cruise speed is used.
+    SpeedLost = 122, Caution, B, "SPEED LOST", "No measured speed. The set cruise speed is used for the gains";
+    /// AP-4, FA11: feedback invalid or off the order.
+    Rudder = 130, Alarm, B, "RUDDER", "The rudder does not follow its order or has no feedback. Steer by hand";
+    /// HTC-1: override reported by the chart system.
+    Override = 140, Alarm, B, "OVERRIDE", "Override is in use. STANDBY: select a mode when it has ended";
+    /// FA16: the control loop stalled.
+    Stalled = 150, Warning, B, "CONTROL STALLED", "The control loop was late. All inputs wait to be heard again";
+    /// TCS-11: a course change comes.
+    CourseChange = 201, Caution, B, "COURSE CHANGE", "Early course change indication: the wheel-over line comes near";
+    /// TCS-11: a course change is imminent.
+    CourseChangeSoon = 202, Warning, B, "WHEEL OVER SOON", "The wheel-over line is 30 s ahead";
+    /// TCS-11: wheel over.
+    WheelOver = 203, Alarm, B, "WHEEL OVER", "Wheel-over line passed: the ship turns. Acknowledge";
+    /// TCS-11: nobody confirmed the course change.
+    BackupNavigator = 204, Alarm, B, "BACKUP NAVIGATOR", "The course change was not confirmed within 30 s";
+    /// TCS-11: the last waypoint comes.
+    LastWaypoint = 205, Warning, B, "LAST WAYPOINT", "The end of the route comes near: track control will end";
+    /// TCS-11: outside the corridor.
+    CrossTrack = 206, Alarm, B, "CROSS TRACK", "The ship is outside the limits of the leg";
+    /// TCS-3: the chart system has no position.
+    ChartPositionLost = 207, Alarm, B, "NO POSITION", "The chart system has no valid position. Track control is refused or ended";
+}
+
+impl Alert {
+    /// Its number in ALR and in the page.
+    #[must_use]
+    pub const fn number(self) -> u16 {
+        self as u16
+    }
+
+    /// The alert of a number.
+    #[must_use]
+    pub fn of_number(number: u16) -> Option<Self> {
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|alert| alert.number() == number)
+    }
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Active {
+    alert: Alert,
+    state: State,
+    detail: String,
+    at: Stamp,
+    silent_until: Stamp,
+}
+
+/// The alerts of one station.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Alerts {
+    active: Vec<Active>,
+    changed: Vec<Alert>,
+}
+
+impl Alerts {
+    /// Raises an alert, or gives a raised one a new detail. Nothing else changes while it lasts.
+    pub fn raise(&mut self, now: Stamp, alert: Alert, detail: &str) {
+        let caution = alert.definition().0 == Priority::Caution;
+        let state = if caution {
+            State::Acknowledged
+        } else {
+            State::Unacknowledged
+        };
+        match self.active.iter_mut().find(|active| active.alert == alert) {
+            Some(active) if active.state != State::RectifiedUnacknowledged => {
+                if active.detail != detail {
+                    active.detail = detail.to_string();
+                }
+            }
+            Some(active) => {
+                *active = Active {
+                    alert,
+                    state,
+                    detail: detail.to_string(),
+                    at: now,
+                    silent_until: now,
+                };
+                self.note(alert);
+            }
+            None => {
+                self.active.push(Active {
+                    alert,
+                    state,
+                    detail: detail.to_string(),
+                    at: now,
+                    silent_until: now,
+                });
+                self.active
+                    .sort_by_key(|active| (active.alert.definition().0, active.alert));
+                self.note(alert);
+            }
+        }
+    }
+
+    /// Gives a raised alert a better text.
+    pub fn retext(&mut self, alert: Alert, detail: &str) {
+        if let Some(active) = self.active.iter_mut().find(|active| active.alert == alert) {
+            active.detail = detail.to_string();
+        }
+    }
+
+    /// Raises or rectifies an alert as `condition` says.
+    pub fn set(&mut self, now: Stamp, alert: Alert, condition: bool, detail: &str) {
+        if condition {
+            self.raise(now, alert, detail);
+        } else {
+            self.rectify(now, alert);
+        }
+    }
+
+    /// The condition is over: gone if it was taken, else kept until it is.
+    pub fn rectify(&mut self, now: Stamp, alert: Alert) {
+        let Some(index) = self.active.iter().position(|active| active.alert == alert) else {
+            return;
+        };
+        match self.active[index].state {
+            State::Unacknowledged | State::Silenced => {
+                self.active[index].state = State::RectifiedUnacknowledged;
+                self.active[index].at = now;
+                self.note(alert);
+            }
+            State::Acknowledged | State::Transferred => {
+                self.active.remove(index);
+                self.note(alert);
+            }
+            State::RectifiedUnacknowledged | State::Normal => {}
+        }
+    }
+
+    /// Acknowledges by number. False where there is nothing to acknowledge.
+    pub fn acknowledge(&mut self, now: Stamp, number: u16) -> bool {
+        let Some(index) = self
+            .active
+            .iter()
+            .position(|active| active.alert.number() == number)
+        else {
+            return false;
+        };
+        let alert = self.active[index].alert;
+        match self.active[index].state {
+            State::Unacknowledged | State::Silenced => {
+                self.active[index].state = State::Acknowledged;
+                self.active[index].at = now;
+            }
+            State::RectifiedUnacknowledged => {
+                self.active.remove(index);
+            }
+            State::Acknowledged | State::Transferred | State::Normal => return false,
+        }
+        self.note(alert);
+        true
+    }
+
+    /// Silences everything that sounds, for 30 s.
+    pub fn silence(&mut self, now: Stamp) {
+        for index in 0..self.active.len() {
+            if self.active[index].state == State::Unacknowledged {
+                self.active[index].state = State::Silenced;
+                self.active[index].silent_until = now + SILENCE_MS;
+            }
+        }
+    }
+
+    /// Lets what was silenced sound again after 30 s (FA15).
+    pub fn tick(&mut self, now: Stamp) {
+        for active in &mut self.active {
+            if active.state == State::Silenced && now >= active.silent_until {
+                active.state = State::Unacknowledged;
+            }
+        }
+    }
+
+    /// State of an alert.
+    #[must_use]
+    pub fn state(&self, alert: Alert) -> State {
+        self.active
+            .iter()
+            .find(|active| active.alert == alert)
+            .map_or(State::Normal, |active| active.state)
+    }
+
+    /// Whether the alert's condition holds.
+    #[must_use]
+    pub fn raised(&self, alert: Alert) -> bool {
+        !matches!(
+            self.state(alert),
+            State::Normal | State::RectifiedUnacknowledged
+        )
+    }
+
+    /// When the alert last changed.
+    #[must_use]
+    pub fn changed_at(&self, alert: Alert) -> Option<Stamp> {
+        self.active
+            .iter()
+            .find(|active| active.alert == alert)
+            .map(|active| active.at)
+    }
+
+    /// Alerts whose state changed since the last call, for ALR.
+    pub fn take_changed(&mut self) -> Vec<Alert> {
+        core::mem::take(&mut self.changed)
+    }
+
+    /// All alerts that are not normal, highest first.
+    #[must_use]
+    pub fn views(&self) -> Vec<AlertView> {
+        self.active
+            .iter()
+            .map(|active| {
+                let (priority, category, title, text) = active.alert.definition();
+                let text = if active.detail.is_empty() {
+                    text
+                } else {
+                    active.detail.as_str()
+                };
+                AlertView {
+                    number: active.alert.number(),
+                    priority,
+                    state: active.state,
+                    category,
+                    title: title.to_string(),
+                    text: text.to_string(),
+                    at: active.at.0,
+                }
+            })
+            .collect()
+    }
+
+    fn note(&mut self, alert: Alert) {
+        if !self.changed.contains(&alert) {
+            self.changed.push(alert);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_title_fits_the_alert_sentence() {
+        for alert in Alert::ALL {
+            assert!(alert.definition().2.len() <= 18, "{alert:?}");
+            assert_eq!(Alert::of_number(alert.number()), Some(*alert));
+        }
+    }
+
+    // FA15
+    #[test]
+    fn a_silenced_alarm_sounds_again_after_thirty_seconds() {
+        let mut alerts = Alerts::default();
+        alerts.raise(Stamp(0), Alert::TrackFail, "HTC missing");
+        alerts.silence(Stamp(1_000));
+        alerts.tick(Stamp(30_999));
+        assert_eq!(alerts.state(Alert::TrackFail), State::Silenced);
+        alerts.tick(Stamp(31_000));
+        assert_eq!(alerts.state(Alert::TrackFail), State::Unacknowledged);
+    }
+
+    #[test]
+    fn a_rectified_alarm_stays_until_it_is_taken() {
+        let mut alerts = Alerts::default();
+        alerts.raise(Stamp(0), Alert::TrackFail, "");
+        alerts.rectify(Stamp(5), Alert::TrackFail);
+        assert_eq!(
+            alerts.state(Alert::TrackFail),
+            State::RectifiedUnacknowledged
+        );
+        assert!(alerts.acknowledge(Stamp(6), 101));
+        assert_eq!(alerts.state(Alert::TrackFail), State::Normal);
+        assert!(!alerts.acknowledge(Stamp(7), 101));
+    }
+
+    #[test]
+    fn a_caution_needs_no_acknowledgement() {
+        let mut alerts = Alerts::default();
+        alerts.raise(Stamp(0), Alert::SpeedLost, "");
+        alerts.rectify(Stamp(5), Alert::SpeedLost);
+        assert_eq!(alerts.state(Alert::SpeedLost), State::Normal);
+        assert_eq!(alerts.take_changed(), [Alert::SpeedLost]);
+    }
 }

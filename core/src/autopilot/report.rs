@@ -1,0 +1,293 @@
+//! What the autopilot says: HTD, RSA, ROR and HDT each second, ALR on change, orders to the gear.
+
+use super::steering::Part;
+use super::{Autopilot, Mode};
+use crate::alerts::{Alert, State};
+use crate::limits::Quantity;
+use crate::nmea::{
+    AcknowledgeState, AlarmCondition, Alr, CommandSource, DataStatus, Hdt, Htd, LimitStatus,
+    OverrideStatus, Reference, Ror, Rsa, SteeringMode, TurnMode,
+};
+use crate::station::{Direction, Output, Profile};
+use crate::time::Stamp;
+use crate::units::RudderAngle;
+use alloc::vec::Vec;
+
+/// The autopilot's talker (SEN-3).
+const TALKER: &str = "AG";
+/// Off the set heading for so long before the alert, which a turn would else raise.
+const OFF_HEADING_MS: u64 = 60_000;
+/// Order and response may differ by so much, degrees, for so long beyond the time to go (FA11).
+const RUDDER_ERROR_DEG: f64 = 5.0;
+const RUDDER_ERROR_MS: u64 = 5_000;
+
+impl Autopilot {
+    /// Once a second, to the chart system and to listeners (section 3).
+    pub(super) fn report(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        let htd = self.htd().line(TALKER);
+        let rsa = self.rsa().line(TALKER);
+        let ror = self.ror().line(TALKER);
+        // AP-12: the heading goes on with its source's talker.
+        let hdt = self
+            .picture
+            .heading(now)
+            .zip(self.heading)
+            .map(|(heard, heading)| {
+                Hdt {
+                    heading: Some(heading.deg()),
+                }
+                .line(&heard.source.talker)
+            });
+        for port in 0..self.picture.ports.len() {
+            if matches!(
+                self.picture.ports[port].profile,
+                Profile::Ecdis | Profile::Monitor
+            ) {
+                for line in [Some(&htd), Some(&rsa), Some(&ror), hdt.as_ref()]
+                    .into_iter()
+                    .flatten()
+                {
+                    self.send(port, line, out);
+                }
+            }
+        }
+    }
+
+    /// Once a step: the order to the gear, and alert reports within their share of the line (AP-11).
+    pub(super) fn send_order(&mut self, out: &mut Vec<Output>) {
+        let ror = self.ror().line(TALKER);
+        for alert in self.alerts.take_changed() {
+            self.reports.retain(|waiting| *waiting != alert);
+            self.reports.push_front(alert);
+        }
+        let turn = self.now.0 / self.step_ms() % 2 == 0;
+        let alr = turn
+            .then(|| self.reports.pop_front())
+            .flatten()
+            .map(|alert| self.alr(alert).line(TALKER));
+        for port in 0..self.picture.ports.len() {
+            match self.picture.ports[port].profile {
+                Profile::Gear => self.send(port, &ror, out),
+                Profile::Ecdis => {
+                    if let Some(alr) = &alr {
+                        self.send(port, alr, out);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn send(&mut self, port: usize, line: &str, out: &mut Vec<Output>) {
+        if !self.picture.ports[port].output {
+            return;
+        }
+        let mut bytes = Vec::with_capacity(line.len() + 2);
+        bytes.extend_from_slice(line.as_bytes());
+        self.picture.fold(self.now, port, Direction::Out, &bytes);
+        out.push(Output::Line {
+            port,
+            dir: Direction::Out,
+            text: bytes.clone(),
+        });
+        bytes.extend_from_slice(b"\r\n");
+        out.push(Output::Send { port, bytes });
+    }
+
+    fn alr(&self, alert: Alert) -> Alr {
+        let state = self.alerts.state(alert);
+        let raised = self.alerts.raised(alert);
+        let taken = matches!(
+            state,
+            State::Acknowledged | State::Transferred | State::Normal
+        );
+        Alr {
+            number: Some(u32::from(alert.number())),
+            condition: Some(if raised {
+                AlarmCondition::Raised
+            } else {
+                AlarmCondition::NotRaised
+            }),
+            acknowledged: Some(if taken {
+                AcknowledgeState::Acknowledged
+            } else {
+                AcknowledgeState::NotAcknowledged
+            }),
+            ..Alr::default()
+        }
+    }
+
+    /// AP-4: one rudder; the port side is null with V.
+    fn rsa(&self) -> Rsa {
+        let failed = self.alerts.raised(Alert::Rudder);
+        let response = self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder);
+        Rsa {
+            starboard: response.map(RudderAngle::deg),
+            starboard_status: Some(if response.is_some() && !failed {
+                DataStatus::Valid
+            } else {
+                DataStatus::Invalid
+            }),
+            port: None,
+            port_status: Some(DataStatus::Invalid),
+            ..Rsa::default()
+        }
+    }
+
+    /// AP-1: in STANDBY there is no order.
+    fn ror(&self) -> Ror {
+        let order = self.rudder_order();
+        Ror {
+            starboard: order.map(RudderAngle::deg),
+            starboard_status: Some(if order.is_some() {
+                DataStatus::Valid
+            } else {
+                DataStatus::Invalid
+            }),
+            port: None,
+            port_status: Some(DataStatus::Invalid),
+            source: Some(CommandSource::Bridge),
+            ..Ror::default()
+        }
+    }
+
+    /// The 17 fields by mode (AP-1, AP-2, AP-3, AP-5).
+    fn htd(&self) -> Htd {
+        let steered = self.steered.as_ref();
+        let limited = steered.is_some_and(|steered| steered.limited);
+        let within = |ok: bool| {
+            Some(if ok {
+                LimitStatus::Within
+            } else {
+                LimitStatus::Reached
+            })
+        };
+        let mut htd = Htd {
+            override_status: Some(OverrideStatus::NotInUse),
+            rudder_angle: self.rudder_order().map(RudderAngle::deg),
+            reference: Some(Reference::True),
+            rudder_status: within(!limited),
+            off_heading_status: within(!self.off_heading()),
+            heading: self.heading.map(crate::units::Heading::deg),
+            ..Htd::default()
+        };
+        let settings = &self.settings;
+        let rate_in_use = steered.map(|steered| steered.rate_reference.abs().deg_per_min());
+        match &self.mode {
+            Mode::Standby => {
+                htd.steering_mode = Some(SteeringMode::Manual);
+                return htd;
+            }
+            Mode::RudderHold { .. } => {
+                htd.steering_mode = Some(SteeringMode::RudderControl);
+                htd.turn_mode = Some(TurnMode::NotControlled);
+                htd.rudder_limit = Some(settings.rudder_max);
+            }
+            Mode::Auto { .. } => {
+                htd.steering_mode = Some(SteeringMode::StandAlone);
+                htd.turn_mode = Some(TurnMode::NotControlled);
+                htd.rudder_limit = Some(settings.rudder_limit);
+                if settings.set_by_radius >= 0.5 {
+                    htd.radius = Some(settings.set_radius);
+                } else {
+                    htd.rate_of_turn = Some(settings.set_rate);
+                }
+            }
+            Mode::AutonavTn { hts, track, rate } => {
+                htd.steering_mode = Some(SteeringMode::HeadingControl);
+                htd.turn_mode = Some(if rate.is_some() {
+                    TurnMode::Rate
+                } else {
+                    TurnMode::NotControlled
+                });
+                htd.rudder_limit = Some(settings.rudder_max);
+                htd.rate_of_turn = rate.map(|rate| rate.abs().deg_per_min());
+                htd.heading_to_steer = Some(hts.deg());
+                htd.track = Some(track.deg());
+            }
+            Mode::AutonavTi { path, radius } => {
+                htd.steering_mode = Some(SteeringMode::TrackControl);
+                htd.turn_mode = Some(if path.turn.is_some() {
+                    TurnMode::Radius
+                } else {
+                    TurnMode::NotControlled
+                });
+                htd.rudder_limit = Some(settings.rudder_max);
+                htd.radius = radius.map(crate::units::Radius::nm);
+                htd.rate_of_turn = path.turn.and(rate_in_use);
+                htd.heading_to_steer = self.hts().map(crate::units::Heading::deg);
+                htd.track = Some(
+                    path.turn
+                        .map_or(path.course_in, |turn| turn.course_out)
+                        .deg(),
+                );
+            }
+        }
+        htd.off_heading_limit = Some(settings.off_heading_limit);
+        htd
+    }
+
+    fn off_heading(&self) -> bool {
+        let (Some(hts), Some(heading)) = (self.hts(), self.heading) else {
+            return false;
+        };
+        (heading - hts).abs().deg() > self.settings.off_heading_limit
+    }
+
+    /// AP-5: the alert waits until a turn had time to end.
+    pub(super) fn watch_heading(&mut self, now: Stamp) {
+        let turning = matches!(&self.mode, Mode::AutonavTi { path, .. } if path.turn.is_some())
+            || libm::fabs(self.rate.deg_per_min()) > 6.0;
+        if !self.off_heading() || turning {
+            self.off_heading_since = None;
+        }
+        let since = *self.off_heading_since.get_or_insert(now);
+        let condition = self.off_heading() && !turning && now.since(since) >= OFF_HEADING_MS;
+        self.alerts.set(now, Alert::OffHeading, condition, "");
+    }
+
+    /// FA11, AP-4: no feedback, or feedback that does not follow.
+    pub(super) fn watch_rudder(&mut self, now: Stamp) {
+        let response = self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder);
+        let has_gear = self
+            .picture
+            .ports
+            .iter()
+            .any(|port| port.profile == Profile::Gear && port.output);
+        let (Some(order), true) = (self.rudder_order(), has_gear) else {
+            self.rudder_error_since = None;
+            return;
+        };
+        let Some(response) = response else {
+            self.alerts
+                .raise(now, Alert::Rudder, "no rudder feedback: steer by hand");
+            return;
+        };
+        let difference = libm::fabs(order.deg() - response.deg());
+        if difference <= RUDDER_ERROR_DEG {
+            self.rudder_error_since = None;
+            self.alerts.rectify(now, Alert::Rudder);
+            return;
+        }
+        let since = *self.rudder_error_since.get_or_insert(now);
+        let to_go = (difference / self.settings.rudder_slew * 1000.0) as u64;
+        if now.since(since) > to_go + RUDDER_ERROR_MS {
+            self.alerts.raise(
+                now,
+                Alert::Rudder,
+                "the rudder does not follow its order: steer by hand",
+            );
+        }
+    }
+
+    /// Where the ship is on the commanded path.
+    #[must_use]
+    pub fn part(&self, now: Stamp) -> Option<Part> {
+        match &self.mode {
+            Mode::AutonavTi { path, .. } => {
+                Some(path.progress(self.position_guard.dead_reckoning(now)?).part)
+            }
+            _ => None,
+        }
+    }
+}
