@@ -38,6 +38,7 @@ pub struct Progress {
 
 impl Progress {
     /// A ship at `position` that has just loaded the route: on the nearest leg, or on the turn that she is in.
+    /// Past the last waypoint with the first one close by, she is on her way to the first leg (a circuit).
     #[must_use]
     pub fn locate(route: &Route, position: Position, forwarding: Distance) -> Self {
         let beyond = |leg: &Leg| {
@@ -50,6 +51,11 @@ impl Progress {
             if beyond(leg) + 1.0 < beyond(route.leg(nearest)) {
                 nearest = index;
             }
+        }
+        let last = route.legs().len() - 1;
+        let passed = nearest == last && route.leg(last).remaining(position).m() < 0.0;
+        if passed && beyond(route.leg(0)) < Distance::from_nm(1.0).m() {
+            nearest = 0;
         }
         // Near the corner the ship may still be on the arc that leads to this leg.
         let on_arc = nearest.checked_sub(1).filter(|previous| {

@@ -1,0 +1,280 @@
+//! The chart system: monitors a route from heard positions and says once a second what the autopilot needs
+//! (TCS-1, situations 1 to 6, "Ti" and "Tn").
+//!
+//! In: bytes of the position receiver, gyro, log and autopilot; requests of an officer. Out: HTC, XTE,
+//! PNEY,001, PNEY,002, GLL, VTG and VHW on the autopilot's port.
+//!
+//! **Invariant:** situations change by geometry, never by time; no position older than 5 s is sent as valid.
+
+mod control;
+mod current;
+mod heard;
+mod sentences;
+mod sight;
+mod watch;
+
+use crate::route::{Progress, Route};
+use crate::station::{ChecksumPolicy, Direction, Input, Output, PortSetup, Profile};
+use crate::stream::{ChartOwn, RouteDocument};
+use crate::time::Stamp;
+use crate::units::{Distance, Speed};
+use alloc::string::String;
+use alloc::vec::Vec;
+use control::Control;
+use current::Current;
+use heard::Heard;
+use serde::{Deserialize, Serialize};
+use watch::Watch;
+
+/// Period of the sentences, milliseconds.
+const PERIOD_MS: u64 = 1_000;
+
+/// How a chart system is set up.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ChartConfig {
+    /// The route that is monitored from the start.
+    pub route: Option<Route>,
+    /// Its ports.
+    pub ports: Vec<PortSetup>,
+    /// Time on the forwarding distance in "Ti", seconds; absent: the route's own.
+    pub forwarding_s: Option<f64>,
+    /// Time from the start of a turn in "Tn" to the beginning of the arc, seconds.
+    pub forwarding_tn_s: f64,
+    /// Early course change indication before wheel-over, seconds; at least 60 (TCS-11).
+    pub early_s: f64,
+    /// Indication before wheel-over, seconds.
+    pub soon_s: f64,
+    /// Largest cross-track distance at which control may begin.
+    pub begin_cross_track: Distance,
+    /// Largest difference of heading and track at which control may begin, degrees.
+    pub begin_angle_deg: f64,
+    /// From the antenna to the conning position: metres forward, metres to starboard (AP-16).
+    pub conning_offset_m: [f64; 2],
+}
+
+impl Default for ChartConfig {
+    fn default() -> Self {
+        let port = |name: &str, profile, output| PortSetup {
+            name: name.into(),
+            profile,
+            checksum: ChecksumPolicy::Required,
+            baud: 0,
+            output,
+        };
+        Self {
+            route: None,
+            ports: alloc::vec![
+                port("ecdis", Profile::Ecdis, true),
+                port("gps", Profile::Gps, false),
+                port("gyro1", Profile::Gyro1, false),
+                port("log", Profile::Log, false),
+            ],
+            forwarding_s: None,
+            forwarding_tn_s: 12.0,
+            early_s: 180.0,
+            soon_s: 30.0,
+            begin_cross_track: Distance::from_nm(0.5),
+            begin_angle_deg: 90.0,
+            conning_offset_m: [0.0, 0.0],
+        }
+    }
+}
+
+/// The chart system as a station.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ChartSystem {
+    config: ChartConfig,
+    route: Option<Route>,
+    revision: u64,
+    heard: Heard,
+    current: Current,
+    progress: Option<Progress>,
+    /// Forwarding distance before the next turn; fixed a minute before the wheel-over line.
+    forwarding: Distance,
+    control: Control,
+    shown: sight::CrossTracks,
+    watch: Watch,
+    why: String,
+    now: Stamp,
+    next: Option<Stamp>,
+}
+
+impl ChartSystem {
+    /// A chart system that controls nothing yet.
+    #[must_use]
+    pub fn new(config: ChartConfig) -> Self {
+        let mut system = Self {
+            heard: Heard::new(&config.ports),
+            current: Current::default(),
+            progress: None,
+            forwarding: Distance::default(),
+            control: Control::Off,
+            shown: sight::CrossTracks::default(),
+            watch: Watch::default(),
+            why: String::new(),
+            now: Stamp::default(),
+            next: None,
+            route: None,
+            revision: 0,
+            config,
+        };
+        if let Some(route) = system.config.route.clone() {
+            system.load(route);
+        }
+        system
+    }
+
+    /// Loads a route: control ends, and the ship is looked for on it.
+    pub fn load(&mut self, route: Route) {
+        self.forwarding = self.forwarding_at(route.limits().speed, &route);
+        self.route = Some(route);
+        self.revision += 1;
+        self.control = Control::Off;
+        self.progress = None;
+        self.shown = sight::CrossTracks::default();
+        self.watch = Watch::default();
+        self.why = String::from("route loaded");
+    }
+
+    /// Takes the route out of monitoring; control ends.
+    pub fn unload(&mut self) {
+        self.route = None;
+        self.revision += 1;
+        self.control = Control::Off;
+        self.progress = None;
+        self.shown = sight::CrossTracks::default();
+        self.watch = Watch::default();
+        self.why = String::from("no route");
+    }
+
+    /// Runs what is due at `now`, then takes the input.
+    pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
+        self.run(now, out);
+        match input {
+            Input::Bytes { port, bytes } => self.heard.hear(now, port, bytes, out),
+            Input::Stalled { .. } => self.heard.forget_all(),
+            Input::Tick => {}
+        }
+    }
+
+    /// When the next sentences are due.
+    #[must_use]
+    pub fn due(&self) -> Stamp {
+        self.next.unwrap_or(self.now)
+    }
+
+    fn run(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        let mut next = self.next.unwrap_or(now);
+        // Late by more than two periods: the missed sentences are not made up for.
+        if now.since(next) > 2 * PERIOD_MS {
+            next = next + now.since(next) / PERIOD_MS * PERIOD_MS;
+        }
+        while next <= now {
+            self.step(next, out);
+            next = next + PERIOD_MS;
+        }
+        self.next = Some(next);
+        self.now = self.now.max(now);
+    }
+
+    /// One second: where the ship is, what is indicated, what is said.
+    fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        self.now = now;
+        self.heard.time_out(now, out);
+        self.monitor(now);
+        self.watch_over(now);
+        let lines = self.sentences(now);
+        for (port, setup) in self.config.ports.iter().enumerate() {
+            if setup.profile != Profile::Ecdis || !setup.output {
+                continue;
+            }
+            for line in &lines {
+                let text = line.clone().into_bytes();
+                let mut bytes = text.clone();
+                bytes.extend_from_slice(b"\r\n");
+                out.push(Output::Line {
+                    port,
+                    dir: Direction::Out,
+                    text,
+                });
+                out.push(Output::Send { port, bytes });
+            }
+        }
+    }
+
+    /// The forwarding distance at a speed.
+    fn forwarding_at(&self, speed: Speed, route: &Route) -> Distance {
+        let seconds = self
+            .config
+            .forwarding_s
+            .unwrap_or(route.limits().forwarding_s);
+        Distance::from_m(speed.mps() * seconds)
+    }
+
+    /// The route in monitoring.
+    #[must_use]
+    pub const fn route(&self) -> Option<&Route> {
+        self.route.as_ref()
+    }
+
+    /// Number of the document that [`Self::document`] gives.
+    #[must_use]
+    pub const fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// The route as it is drawn, with the forwarding distance in force.
+    #[must_use]
+    pub fn document(&self) -> RouteDocument {
+        let Some(route) = &self.route else {
+            return RouteDocument {
+                revision: self.revision,
+                ..RouteDocument::default()
+            };
+        };
+        let mut document = route.document(self.revision);
+        let leg = self
+            .progress
+            .and_then(|progress| progress.leg())
+            .unwrap_or(0);
+        if let (Some(turn), Some(view)) = (route.turn_after(leg), document.turns.get_mut(leg)) {
+            view.forwarding_m = self.forwarding.m();
+            view.wheel_over = turn.wheel_over(self.forwarding);
+        }
+        document
+    }
+
+    /// What no sentence can say.
+    #[must_use]
+    pub fn own(&self) -> ChartOwn {
+        ChartOwn {
+            situation: self.situation(),
+            control: self.control.name().into(),
+            leg: self
+                .progress
+                .and_then(|progress| progress.leg())
+                .unwrap_or(0),
+            wheel_over_s: self.wheel_over_s(self.now),
+            why: self.reason(),
+        }
+    }
+
+    /// Its alerts, the highest first.
+    #[must_use]
+    pub fn alerts(&self) -> Vec<crate::stream::AlertView> {
+        self.watch.alerts().views()
+    }
+
+    /// Acknowledges one of its alerts; false where there is nothing to acknowledge.
+    pub fn acknowledge(&mut self, now: Stamp, number: u16) -> bool {
+        self.watch.acknowledge(now, number)
+    }
+
+    /// Silences its alerts for 30 s.
+    pub fn silence(&mut self, now: Stamp) {
+        self.watch.silence(now);
+    }
+}
+
+#[cfg(test)]
+mod tests;

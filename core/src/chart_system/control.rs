@@ -1,0 +1,212 @@
+//! Who is asked to steer: off, track control ("Ti") or remote heading control ("Tn"), and what each needs.
+
+use super::ChartSystem;
+use crate::nmea::SteeringMode;
+use crate::route::{Phase, Progress};
+use crate::station::Refusal;
+use crate::stream::ChartRequest;
+use crate::time::Stamp;
+use crate::units::{Course, Turn};
+use alloc::format;
+use alloc::string::String;
+use serde::{Deserialize, Serialize};
+
+/// Nearer than this to the wheel-over line, track control does not begin, seconds.
+const TOO_CLOSE_S: f64 = 15.0;
+
+/// What the chart system commands.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Control {
+    /// Nothing: HTC mode S.
+    Off,
+    /// Track control, HTC mode T.
+    Track {
+        /// A turn was completed since control began (situation 5 instead of 2).
+        turned: bool,
+    },
+    /// Remote heading control, HTC mode H.
+    Heading {
+        /// Course of the virtual leg, where no route is sailed.
+        leg: Option<Course>,
+    },
+}
+
+impl Control {
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::Track { .. } => "track",
+            Self::Heading { .. } => "heading",
+        }
+    }
+}
+
+fn refuse<T>(reason: impl Into<String>) -> Result<T, Refusal> {
+    Err(Refusal(reason.into()))
+}
+
+impl ChartSystem {
+    /// Begins, changes or ends control.
+    ///
+    /// # Errors
+    /// What control needs and does not have, in an officer's words.
+    pub fn command(&mut self, now: Stamp, request: &ChartRequest) -> Result<String, Refusal> {
+        self.now = self.now.max(now);
+        let answer = match request {
+            ChartRequest::Track => self.begin_track(now),
+            ChartRequest::Heading => self.begin_heading(now),
+            ChartRequest::Stop => Ok(self.stop()),
+        };
+        if let Err(refusal) = &answer {
+            self.why = format!("refused: {refusal}");
+        }
+        answer
+    }
+
+    fn begin_track(&mut self, now: Stamp) -> Result<String, Refusal> {
+        if matches!(self.control, Control::Track { .. }) {
+            return Ok("track control is commanded already".into());
+        }
+        if self.route.is_none() {
+            return refuse("no route");
+        }
+        let place = self.place_on_route(now)?;
+        match place.phase() {
+            Phase::Past => return refuse("the last waypoint is passed"),
+            Phase::Forwarding(_) | Phase::Arc(_) => {
+                return refuse("not in the middle of a turn"); // AP-6
+            }
+            Phase::Leg(_) => {}
+        }
+        if self.heard.heading_at(now).is_none() {
+            return refuse("no heading");
+        }
+        if self.heard.ground_at(now).is_none() {
+            return refuse("no course and speed over ground");
+        }
+        self.progress = Some(place);
+        self.safe_approach(now)?;
+        self.control = Control::Track { turned: false };
+        self.why = String::from("track control commanded");
+        Ok("track control commanded, waiting for the autopilot".into())
+    }
+
+    fn begin_heading(&mut self, now: Stamp) -> Result<String, Refusal> {
+        if matches!(self.control, Control::Heading { .. }) {
+            return Ok("heading control is commanded already".into());
+        }
+        let Some(heading) = self.heard.heading_at(now) else {
+            return refuse("no heading");
+        };
+        let sailing = self.route.is_some()
+            && !matches!(
+                self.progress.map(|progress| progress.phase()),
+                Some(Phase::Past)
+            );
+        let leg = if !sailing {
+            // TCS-12: a virtual leg on the present heading.
+            Some(Course::from_deg(libm::round(heading.deg() * 10.0) / 10.0))
+        } else if matches!(self.control, Control::Track { .. }) {
+            None // TCS-6: at any time, without leaving AutoNAV
+        } else {
+            let place = self.place_on_route(now)?;
+            if place.phase().turning() {
+                return refuse("not in the middle of a turn");
+            }
+            if self.heard.ground_at(now).is_none() {
+                return refuse("no course and speed over ground");
+            }
+            self.progress = Some(place);
+            self.safe_approach(now)?;
+            None
+        };
+        self.control = Control::Heading { leg };
+        self.why = String::from("heading control commanded");
+        Ok("heading control commanded, waiting for the autopilot".into())
+    }
+
+    fn stop(&mut self) -> String {
+        if self.control == Control::Off {
+            return "control was off".into();
+        }
+        self.end_control("stopped by the officer");
+        "control stopped".into()
+    }
+
+    /// Control ends; HTC goes to S (TCS-3, TCS-10).
+    pub(super) fn end_control(&mut self, why: &str) {
+        self.control = Control::Off;
+        self.why = format!("control ended: {why}");
+    }
+
+    /// Where on the route control would begin.
+    fn place_on_route(&self, now: Stamp) -> Result<Progress, Refusal> {
+        let Some(here) = self.here(now) else {
+            return refuse("no position");
+        };
+        match (&self.route, self.control, self.progress) {
+            (None, ..) => refuse("no route"),
+            // A ship under control is where its control has brought it.
+            (Some(_), Control::Heading { leg: None }, Some(progress)) => Ok(progress),
+            (Some(route), ..) => Ok(Progress::locate(route, here.position, self.forwarding)),
+        }
+    }
+
+    /// MSC.74(69) 5.1.2: begins only where a safe approach is possible.
+    fn safe_approach(&self, now: Stamp) -> Result<(), Refusal> {
+        let (Some(route), Some(progress), Some(here)) =
+            (&self.route, self.progress, self.here(now))
+        else {
+            return refuse("no position");
+        };
+        let leg = route.leg(progress.leg().unwrap_or(0));
+        let off = leg.cross_track(here.position);
+        if off.abs() > self.config.begin_cross_track {
+            return refuse(format!("too far from the track: {:.2} nm", off.abs().nm()));
+        }
+        if let Some(heading) = self.heard.heading_at(now) {
+            let angle: Turn = heading.as_course() - leg.course();
+            if angle.abs().deg() > self.config.begin_angle_deg {
+                return refuse(format!(
+                    "the heading is {:.0} degrees off the track",
+                    angle.abs().deg()
+                ));
+            }
+        }
+        if self
+            .wheel_over_s(now)
+            .is_some_and(|seconds| seconds < TOO_CLOSE_S)
+        {
+            return refuse("too close to the wheel-over line");
+        }
+        Ok(())
+    }
+
+    /// Why things are as they are: who follows, or the last refusal or end.
+    pub(super) fn reason(&self) -> String {
+        let wanted = match self.control {
+            Control::Off => return self.why.clone(),
+            Control::Track { .. } => (SteeringMode::TrackControl, "track control"),
+            Control::Heading { .. } => (SteeringMode::HeadingControl, "heading control"),
+        };
+        match self.heard.steering_at(self.now) {
+            Some(Some(mode)) if mode == wanted.0 => {
+                format!("the autopilot follows in {}", wanted.1)
+            }
+            Some(Some(mode)) => format!(
+                "{} commanded; the autopilot is in {}",
+                wanted.1,
+                match mode {
+                    SteeringMode::Manual => "stand-by",
+                    SteeringMode::StandAlone => "AUTO",
+                    SteeringMode::HeadingControl => "heading control",
+                    SteeringMode::TrackControl => "track control",
+                    SteeringMode::RudderControl => "rudder control",
+                }
+            ),
+            Some(None) => format!("{} commanded; the autopilot is being set up", wanted.1),
+            None => format!("{} commanded; the autopilot is not heard", wanted.1),
+        }
+    }
+}

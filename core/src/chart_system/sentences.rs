@@ -1,0 +1,227 @@
+//! The seven sentences of each second (interface section 4).
+
+use super::ChartSystem;
+use super::control::Control;
+use crate::nmea::{
+    CommandStatus, DataStatus, Gll, Htc, ModeIndicator, OverrideStatus, Pney1, Pney2, Reference,
+    SteeringMode, TurnMode, Vhw, Vtg, Xte,
+};
+use crate::route::{Phase, Turn};
+use crate::time::Stamp;
+use crate::units::{Course, Distance};
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// Talker of a chart system (SEN-3).
+const TALKER: &str = "EI";
+/// Kilometres an hour in a knot.
+const KMH_PER_KNOT: f64 = 1.852;
+/// Look-ahead of the course to steer in "Tn", seconds, and the largest cut, degrees.
+const LOOK_AHEAD_S: f64 = 60.0;
+const LARGEST_CUT_DEG: f64 = 30.0;
+
+impl ChartSystem {
+    /// What is said at `now`, in the order of the source.
+    pub(super) fn sentences(&self, now: Stamp) -> Vec<String> {
+        let (xte, pney1) = self.cross_track(now);
+        alloc::vec![
+            self.htc(now).line(TALKER),
+            xte.line(TALKER),
+            pney1.line("P"),
+            self.pney2().line("P"),
+            self.gll(now).line(TALKER),
+            self.vtg(now).line(TALKER),
+            self.vhw(now).line(TALKER),
+        ]
+    }
+
+    fn phase(&self) -> Option<Phase> {
+        self.progress.map(|progress| progress.phase())
+    }
+
+    /// The turn that is sailed or comes next.
+    fn turn(&self) -> Option<&Turn> {
+        self.progress?.turn(self.route.as_ref()?)
+    }
+
+    /// The turn that the autopilot is to sail now in "Ti" (situations 3 and 4).
+    fn commanded_turn(&self) -> Option<&Turn> {
+        let tracked = matches!(self.control, Control::Track { .. });
+        (tracked && self.phase()?.turning()).then(|| self.turn())?
+    }
+
+    fn htc(&self, now: Stamp) -> Htc {
+        let base = Htc {
+            override_status: Some(OverrideStatus::NotInUse),
+            reference: Some(Reference::True),
+            status: Some(CommandStatus::Command),
+            ..Htc::default()
+        };
+        match self.control {
+            Control::Off => Htc {
+                steering_mode: Some(SteeringMode::StandAlone),
+                turn_mode: Some(TurnMode::NotControlled),
+                ..base
+            },
+            Control::Track { .. } => {
+                let turn = self.commanded_turn();
+                let track = turn.map_or_else(|| self.leg_course(), |turn| Some(turn.course_out()));
+                Htc {
+                    steering_mode: Some(SteeringMode::TrackControl),
+                    turn_mode: Some(TurnMode::Radius), // R all the time in "Ti"
+                    radius: turn.map(|turn| turn.radius().nm()),
+                    track: track.map(Course::deg),
+                    ..base
+                }
+            }
+            Control::Heading { leg } => self.heading_control(now, leg, base),
+        }
+    }
+
+    /// TCS-12: H with N on a leg, H with T, rate of turn and HTS = track in a turn.
+    fn heading_control(&self, now: Stamp, virtual_leg: Option<Course>, base: Htc) -> Htc {
+        let base = Htc {
+            steering_mode: Some(SteeringMode::HeadingControl),
+            ..base
+        };
+        if let Some((turn, ground)) = self.turn_in_tn(now).zip(self.heard.ground_at(now)) {
+            let track = Some(turn.course_out().deg());
+            return Htc {
+                turn_mode: Some(TurnMode::Rate),
+                rate_of_turn: Some((ground.speed / turn.radius()).deg_per_min()),
+                heading_to_steer: track,
+                track,
+                ..base
+            };
+        }
+        let track = virtual_leg.or_else(|| self.leg_course());
+        Htc {
+            turn_mode: Some(TurnMode::NotControlled),
+            heading_to_steer: track.map(|track| match virtual_leg {
+                Some(_) => track.deg(),
+                None => self.heading_on_leg(now, track).deg(),
+            }),
+            track: track.map(Course::deg),
+            ..base
+        }
+    }
+
+    /// The turn that has begun in "Tn": its line lies nearer to the arc than the one of "Ti", because a ship
+    /// that is given a rate needs no time to build up curvature by itself.
+    fn turn_in_tn(&self, now: Stamp) -> Option<&Turn> {
+        let (route, turn) = (self.route.as_ref()?, self.turn()?);
+        match self.phase()? {
+            Phase::Arc(_) => Some(turn),
+            Phase::Forwarding(leg) => {
+                let speed = self.heard.ground_at(now)?.speed.mps();
+                let remaining = route.leg(leg).remaining(self.here(now)?.position).m();
+                let line = turn.tangent().m() + self.config.forwarding_tn_s * speed;
+                (remaining <= line).then_some(turn)
+            }
+            Phase::Leg(_) | Phase::Past => None,
+        }
+    }
+
+    /// Course of the leg that is sailed.
+    fn leg_course(&self) -> Option<Course> {
+        let leg = self.progress?.leg()?;
+        Some(self.route.as_ref()?.leg(leg).course())
+    }
+
+    /// `track - atan(y / look-ahead) + crab`: brings the ship to the leg and keeps her there in a current.
+    fn heading_on_leg(&self, now: Stamp, track: Course) -> Course {
+        let off = self.shown.control.unwrap_or_default().m();
+        let speed = self
+            .heard
+            .ground_at(now)
+            .map_or(0.0, |ground| ground.speed.mps());
+        let ahead = (LOOK_AHEAD_S * speed).max(100.0);
+        let cut = libm::atan(off / ahead) * 180.0 / core::f64::consts::PI;
+        let water = self.heard.water_at(now).unwrap_or_default();
+        let crab = self.current.crab_deg(track, water);
+        Course::from_deg(track.deg() - cut.clamp(-LARGEST_CUT_DEG, LARGEST_CUT_DEG) + crab)
+    }
+
+    /// TCS-3: an invalid position changes status and mode, the last distances stay.
+    fn cross_track(&self, now: Stamp) -> (Xte, Pney1) {
+        let mode = self
+            .here(now)
+            .map_or(ModeIndicator::NotValid, |here| here.mode);
+        let status = if mode.valid() {
+            DataStatus::Valid
+        } else {
+            DataStatus::Invalid
+        };
+        let xte = Xte {
+            status: Some(status),
+            cycle_lock: Some(DataStatus::Valid),
+            cross_track: self.shown.display.map(Distance::nm),
+            mode: Some(mode),
+        };
+        let pney1 = Pney1 {
+            status: Some(status),
+            cycle_lock: Some(DataStatus::Valid),
+            cross_track: self.shown.control.map(Distance::nm),
+            mode: Some(mode),
+        };
+        (xte, pney1)
+    }
+
+    fn pney2(&self) -> Pney2 {
+        let waypoint = || {
+            let leg = self.progress?.leg()?;
+            Some(self.route.as_ref()?.waypoints().get(leg + 1)?.id.clone())
+        };
+        Pney2 {
+            centre: self.commanded_turn().map(Turn::centre),
+            waypoint: waypoint(),
+        }
+    }
+
+    fn gll(&self, now: Stamp) -> Gll {
+        let Some(here) = self.here(now) else {
+            return Gll {
+                status: Some(DataStatus::Invalid),
+                mode: Some(ModeIndicator::NotValid),
+                ..Gll::default()
+            };
+        };
+        Gll {
+            position: Some(here.position),
+            time: here.utc,
+            status: Some(DataStatus::Valid),
+            mode: Some(here.mode),
+        }
+    }
+
+    fn vtg(&self, now: Stamp) -> Vtg {
+        // TCS-3: without a position VTG is not valid either.
+        let ground = self
+            .heard
+            .ground_at(now)
+            .filter(|_| self.here(now).is_some());
+        let Some(ground) = ground else {
+            return Vtg {
+                mode: Some(ModeIndicator::NotValid),
+                ..Vtg::default()
+            };
+        };
+        Vtg {
+            course_true: Some(ground.course.deg()),
+            speed_knots: Some(ground.speed.knots()),
+            speed_kmh: Some(ground.speed.knots() * KMH_PER_KNOT),
+            mode: Some(ground.mode),
+            ..Vtg::default()
+        }
+    }
+
+    fn vhw(&self, now: Stamp) -> Vhw {
+        let water = self.heard.water_at(now);
+        Vhw {
+            heading_true: self.heard.heading_at(now).map(|heading| heading.deg()),
+            speed_knots: water.map(|speed| speed.knots()),
+            speed_kmh: water.map(|speed| speed.knots() * KMH_PER_KNOT),
+            ..Vhw::default()
+        }
+    }
+}
