@@ -17,4 +17,5 @@ pub mod station;
 pub mod stream;
 pub mod time;
 pub mod units;
+pub mod voyage;
 pub mod world;

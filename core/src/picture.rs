@@ -154,6 +154,27 @@ impl Picture {
         }
     }
 
+    /// A picture without ports, which hears nothing.
+    #[must_use]
+    pub const fn empty() -> Self {
+        Self {
+            ports: Vec::new(),
+            counts: Vec::new(),
+            headings: Vec::new(),
+            rates: Vec::new(),
+            fixes: Vec::new(),
+            grounds: Vec::new(),
+            water_speeds: Vec::new(),
+            rudder: None,
+            order: None,
+            htc: None,
+            xte: None,
+            pney1: None,
+            pney2: None,
+            htd: None,
+        }
+    }
+
     /// Folds one line. The result depends on the arguments and the earlier lines alone.
     pub fn fold(&mut self, at: Stamp, port: PortIndex, dir: Direction, text: &[u8]) {
         let sentence = nmea::decode(text);

@@ -20,7 +20,7 @@ const POSITION_JUMP_M: f64 = 185.2;
 
 /// Verdict on a heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HeadingVerdict {
+pub(super) enum HeadingVerdict {
     /// Use it.
     Good(Heading),
     /// It jumped: the prediction stands in.
@@ -31,7 +31,7 @@ pub enum HeadingVerdict {
 
 /// Guards the heading in use.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct HeadingGuard {
+pub(super) struct HeadingGuard {
     last: Option<(Heading, Stamp)>,
     rejecting: Option<Stamp>,
     /// The jumped source's own last reading and since when it has been steady.
@@ -41,7 +41,7 @@ pub struct HeadingGuard {
 
 impl HeadingGuard {
     /// Judges a reading; `step` is the largest change that is believed beyond the turn made, degrees.
-    pub fn judge(
+    pub(super) fn judge(
         &mut self,
         now: Stamp,
         read: Heading,
@@ -90,14 +90,14 @@ impl HeadingGuard {
     }
 
     /// Forgets everything; the next reading is believed.
-    pub fn reset(&mut self) {
+    pub(super) fn reset(&mut self) {
         *self = Self::default();
     }
 }
 
 /// Verdict on a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FixVerdict {
+pub(super) enum FixVerdict {
     /// Taken.
     Taken,
     /// Off the dead reckoning and not used.
@@ -108,7 +108,7 @@ pub enum FixVerdict {
 
 /// Keeps the dead reckoning and guards it against jumps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct PositionGuard {
+pub(super) struct PositionGuard {
     plane: Option<Plane>,
     fix: Option<(Point, Stamp)>,
     rejects: u8,
@@ -118,13 +118,13 @@ pub struct PositionGuard {
 impl PositionGuard {
     /// The plane in which points are given.
     #[must_use]
-    pub fn plane(&self) -> Option<&Plane> {
+    pub(super) fn plane(&self) -> Option<&Plane> {
         self.plane.as_ref()
     }
 
     /// Lays a new plane at the ship once she is `metres` from where it touches.
     /// Gives the old plane, for points that must be carried over.
-    pub fn recentre(&mut self, metres: f64) -> Option<Plane> {
+    pub(super) fn recentre(&mut self, metres: f64) -> Option<Plane> {
         let (old, (fix, at)) = (self.plane?, self.fix?);
         if fix.distance(Point::default()) < metres {
             return None;
@@ -137,13 +137,13 @@ impl PositionGuard {
 
     /// The last fix that was taken, unless it is too old.
     #[must_use]
-    pub fn fix(&self, now: Stamp) -> Option<Point> {
+    pub(super) fn fix(&self, now: Stamp) -> Option<Point> {
         let (fix, at) = self.fix?;
         (now.since(at) <= POSITION_BRIDGE_MS).then_some(fix)
     }
 
     /// Takes course and speed over ground.
-    pub fn ground(&mut self, course: Option<Course>, speed: Speed) {
+    pub(super) fn ground(&mut self, course: Option<Course>, speed: Speed) {
         let angle = course.map_or(0.0, Course::rad);
         self.velocity = (
             speed.mps() * libm::cos(angle),
@@ -152,7 +152,7 @@ impl PositionGuard {
     }
 
     /// Judges a new fix; `step` is the largest distance off the dead reckoning that is used, metres.
-    pub fn judge(&mut self, at: Stamp, position: Position, step: f64) -> FixVerdict {
+    pub(super) fn judge(&mut self, at: Stamp, position: Position, step: f64) -> FixVerdict {
         let Some(plane) = self.plane else {
             self.start(at, position);
             return FixVerdict::Taken;
@@ -178,7 +178,7 @@ impl PositionGuard {
 
     /// Where the ship is at `now`: the last fix carried on by the ground velocity, for at most 5 s.
     #[must_use]
-    pub fn dead_reckoning(&self, now: Stamp) -> Option<Point> {
+    pub(super) fn dead_reckoning(&self, now: Stamp) -> Option<Point> {
         let (fix, at) = self.fix?;
         let age = now.since(at);
         if age > POSITION_BRIDGE_MS {
@@ -189,7 +189,7 @@ impl PositionGuard {
 
     /// As `dead_reckoning`, for as long as a lost turn needs it (TCS-8).
     #[must_use]
-    pub fn long_dead_reckoning(&self, now: Stamp) -> Option<Point> {
+    pub(super) fn long_dead_reckoning(&self, now: Stamp) -> Option<Point> {
         let (fix, at) = self.fix?;
         Some(self.carried(fix, now.since(at)))
     }

@@ -81,6 +81,9 @@ impl Autopilot {
         now: Stamp,
     ) -> Self {
         let framers = ports.iter().map(|_| Framer::new()).collect();
+        let mut ship = ship;
+        ship.slew = settings.rudder_slew;
+        ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
         Self {
             picture: Picture::new(ports),
             framers,
@@ -182,6 +185,9 @@ impl Autopilot {
             }
             Do::Setting { key, value } => {
                 self.settings.set(key, *value).map_err(Refusal)?;
+                let ship = self.steering.settings_mut();
+                ship.slew = self.settings.rudder_slew;
+                ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal("not a command to the autopilot".into())),
@@ -497,6 +503,12 @@ impl Autopilot {
     #[must_use]
     pub fn picture(&self) -> &Picture {
         &self.picture
+    }
+
+    /// Whether an AutoNAV selection waits for its confirmation.
+    #[must_use]
+    pub const fn pending(&self) -> bool {
+        self.pending.is_some()
     }
 
     /// Its alerts.

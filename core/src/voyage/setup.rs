@@ -1,0 +1,231 @@
+//! How a voyage is put together: roles, ports, cables.
+
+use super::Voyage;
+use super::cable::Cables;
+use super::officer::Officer;
+use crate::autopilot::Autopilot;
+use crate::autopilot::steering::SteeringSettings;
+use crate::chart_system::{ChartConfig, ChartSystem};
+use crate::picture::Picture;
+use crate::route;
+use crate::settings::Settings;
+use crate::station::{ChecksumPolicy, PortIndex, PortSetup, Profile};
+use crate::time::Stamp;
+use crate::units::{Course, Speed};
+use crate::world::{World, WorldConfig};
+use alloc::collections::VecDeque;
+use alloc::string::ToString;
+use alloc::vec;
+use alloc::vec::Vec;
+use serde::{Deserialize, Serialize};
+
+/// A station that can run here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// The simulated ship with her sensors and steering gear.
+    World,
+    /// The chart-system side.
+    ChartSystem,
+    /// The autopilot.
+    Autopilot,
+}
+
+impl Role {
+    /// All, in the order in which they run.
+    pub const ALL: [Self; 3] = [Self::World, Self::ChartSystem, Self::Autopilot];
+
+    /// Name in the configuration and in the stream.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::World => "world",
+            Self::ChartSystem => "chart_system",
+            Self::Autopilot => "autopilot",
+        }
+    }
+}
+
+/// What a voyage is made of.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct VoyageConfig {
+    /// Stations that run here; the rest is real equipment behind the ports.
+    pub roles: Vec<Role>,
+    /// Ports to the outside: whose, and what.
+    pub ports: Vec<(Role, PortSetup)>,
+    /// Settings of the autopilot.
+    pub settings: Settings,
+    /// The ship as the steering sees her.
+    pub ship: SteeringSettings,
+    /// The chart system; its ports are made here.
+    pub chart: ChartConfig,
+    /// The simulated ship; its ports are made here.
+    pub world: WorldConfig,
+}
+
+/// What is cabled inside where both stations run here: who may say it, who hears it.
+const INSIDE: [(Profile, Role, &[Role]); 5] = [
+    (Profile::Ecdis, Role::ChartSystem, &[Role::Autopilot]),
+    (
+        Profile::Gyro1,
+        Role::World,
+        &[Role::Autopilot, Role::ChartSystem],
+    ),
+    (
+        Profile::Gps,
+        Role::World,
+        &[Role::Autopilot, Role::ChartSystem],
+    ),
+    (
+        Profile::Log,
+        Role::World,
+        &[Role::Autopilot, Role::ChartSystem],
+    ),
+    (Profile::Gear, Role::World, &[Role::Autopilot]),
+];
+
+impl Voyage {
+    /// The embedded voyage: all stations, no ports, the scripted officer on watch (CLI-1).
+    #[must_use]
+    pub fn embedded(seed: u64) -> Self {
+        let route = route::embedded();
+        let (start, heading) = route::embedded_start();
+        let mut settings = Settings::default();
+        settings.rudder_slew = 5.0; // the Mariner's gear
+        let config = VoyageConfig {
+            roles: Role::ALL.to_vec(),
+            ports: Vec::new(),
+            settings,
+            ship: SteeringSettings::default(),
+            chart: ChartConfig {
+                route: Some(route.clone()),
+                ..ChartConfig::default()
+            },
+            world: WorldConfig {
+                start,
+                heading,
+                seed,
+                current_set: Course::from_deg(100.0),
+                current_drift: Speed::from_knots(1.0),
+                ..WorldConfig::default()
+            },
+        };
+        let mut voyage = Self::configured(config);
+        voyage.embedded = Some(route);
+        voyage.officer.on = true;
+        voyage
+    }
+
+    /// The stations named in the roles; everything else is behind the ports.
+    #[must_use]
+    pub fn configured(config: VoyageConfig) -> Self {
+        let mut ports: [Vec<PortSetup>; 3] = [Vec::new(), Vec::new(), Vec::new()];
+        let mut outside = Vec::new();
+        for (role, setup) in &config.ports {
+            outside.push((*role, ports[*role as usize].len()));
+            ports[*role as usize].push(setup.clone());
+        }
+        let cables = lay_cables(&config.roles, &mut ports);
+        let runs = |role| config.roles.contains(&role);
+        let [world_ports, chart_ports, autopilot_ports] = ports;
+        let shown = [Role::Autopilot, Role::ChartSystem, Role::World]
+            .into_iter()
+            .find(|role| runs(*role))
+            .unwrap_or(Role::Autopilot);
+        let shown_ports = match shown {
+            Role::Autopilot => None,
+            Role::ChartSystem => Some(chart_ports.clone()),
+            Role::World => Some(world_ports.clone()),
+        };
+        let now = Stamp(0);
+        let up = vec![false; outside.len()];
+        Self {
+            autopilot: runs(Role::Autopilot)
+                .then(|| Autopilot::new(autopilot_ports, config.settings, config.ship, now)),
+            chart: runs(Role::ChartSystem).then(|| {
+                ChartSystem::new(ChartConfig {
+                    ports: chart_ports,
+                    ..config.chart
+                })
+            }),
+            world: runs(Role::World).then(|| {
+                World::new(WorldConfig {
+                    ports: world_ports,
+                    ..config.world
+                })
+            }),
+            cables,
+            outside,
+            up,
+            shown,
+            picture: shown_ports.map(Picture::new),
+            line: 0,
+            embedded: None,
+            officer: Officer::new(now, false),
+            round: 1,
+            speed: 1.0,
+            route_revision: 0,
+            settings_revision: 0,
+            now,
+            officer_due: now + 1_000,
+            scratch: Vec::new(),
+            deliveries: VecDeque::new(),
+        }
+    }
+}
+
+/// Lays a cable wherever both stations run here and the hearing one has no real port for it.
+fn lay_cables(roles: &[Role], ports: &mut [Vec<PortSetup>; 3]) -> Cables {
+    let mut cables = Cables::default();
+    for (profile, source, listeners) in INSIDE {
+        if !roles.contains(&source) {
+            continue;
+        }
+        let has = |ports: &[PortSetup]| ports.iter().any(|port| port.profile == profile);
+        let listeners = listeners
+            .iter()
+            .copied()
+            .filter(|role| roles.contains(role) && !has(&ports[*role as usize]))
+            .collect::<Vec<_>>();
+        if listeners.is_empty() {
+            continue;
+        }
+        let mut ends = vec![(source, end_of(&mut ports[source as usize], profile))];
+        for role in listeners {
+            ends.push((role, end_of(&mut ports[role as usize], profile)));
+        }
+        cables.lay(name(profile), profile, ends);
+    }
+    cables
+}
+
+/// The station's port of that profile; made where there is none.
+fn end_of(ports: &mut Vec<PortSetup>, profile: Profile) -> PortIndex {
+    if let Some(index) = ports.iter().position(|port| port.profile == profile) {
+        return index;
+    }
+    ports.push(PortSetup {
+        name: name(profile).to_string(),
+        profile,
+        checksum: ChecksumPolicy::Required,
+        baud: 38_400,
+        output: true,
+    });
+    ports.len() - 1
+}
+
+const fn name(profile: Profile) -> &'static str {
+    match profile {
+        Profile::Ecdis => "ecdis",
+        Profile::Gyro1 => "gyro1",
+        Profile::Gyro2 => "gyro2",
+        Profile::Thd => "thd",
+        Profile::Magn => "magn",
+        Profile::Gps => "gps",
+        Profile::Log => "log",
+        Profile::Rot => "rot",
+        Profile::Gear => "gear",
+        Profile::Hmi => "hmi",
+        Profile::Monitor => "monitor",
+    }
+}
