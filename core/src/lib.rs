@@ -13,6 +13,7 @@ pub mod nmea;
 pub mod picture;
 pub mod route;
 pub mod settings;
+pub mod scenario;
 pub mod station;
 pub mod stream;
 pub mod time;

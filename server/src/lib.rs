@@ -8,6 +8,7 @@ pub mod error;
 pub mod guard;
 pub mod http;
 pub mod page;
+pub mod simulate;
 
 pub use error::Error;
 

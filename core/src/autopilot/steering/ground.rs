@@ -7,11 +7,12 @@
 //! ```
 //! So the crab angle is known at once on any course. A fix more than 100 m away begins anew there.
 
-use super::{Measured, observer::Motion};
+use super::Measured;
+use super::observer::Motion;
+use super::settings::SteeringSettings;
 use crate::geo::Point;
 use serde::{Deserialize, Serialize};
 
-const FIX_TIME: f64 = 3.0;
 const JUMP: f64 = 100.0;
 
 /// Estimated position and current.
@@ -43,7 +44,7 @@ impl Ground {
         m: &Measured,
         motion: &Motion,
         surge: f64,
-        tau: f64,
+        settings: &SteeringSettings,
         dt: f64,
     ) -> Sailing {
         let (sine, cosine) = (libm::sin(motion.heading), libm::cos(motion.heading));
@@ -56,7 +57,7 @@ impl Ground {
                 north: speed.mps() * libm::cos(course.rad()),
                 east: speed.mps() * libm::sin(course.rad()),
             };
-            self.hear_velocity(measured, water, tau, dt);
+            self.hear_velocity(measured, water, settings.current_time, dt);
         }
         let velocity = Point {
             north: water.north + self.current.north,
@@ -66,7 +67,7 @@ impl Ground {
             position.north += velocity.north * dt;
             position.east += velocity.east * dt;
         }
-        self.hear_fix(m.position, dt);
+        self.hear_fix(m.position, settings, dt);
         Sailing {
             position: self.position,
             velocity,
@@ -91,7 +92,7 @@ impl Ground {
         self.velocity_age = 0.0;
     }
 
-    fn hear_fix(&mut self, fix: Option<Point>, dt: f64) {
+    fn hear_fix(&mut self, fix: Option<Point>, settings: &SteeringSettings, dt: f64) {
         self.fix_age += dt;
         let Some(fix) = fix else {
             self.last_fix = None;
@@ -102,7 +103,7 @@ impl Ground {
         }
         self.position = Some(match self.position {
             Some(p) if p.distance(fix) < JUMP => {
-                let weight = (self.fix_age / FIX_TIME).min(1.0);
+                let weight = (self.fix_age / settings.fix_time.max(1.0)).min(1.0);
                 Point {
                     north: p.north + weight * (fix.north - p.north),
                     east: p.east + weight * (fix.east - p.east),

@@ -174,9 +174,7 @@ impl Steering {
             settings,
             dt,
         );
-        let sailing = self
-            .ground
-            .step(m, &motion, surge, settings.current_time, dt);
+        let sailing = self.ground.step(m, &motion, surge, settings, dt);
         let mut cross_track = None;
         match (demand, sailing.position) {
             (Demand::Track(path), Some(p)) => {

@@ -18,7 +18,6 @@ use serde::{Deserialize, Serialize};
 
 const GYRO_DEVIATION: f64 = 0.0020;
 const RATE_DEVIATION: f64 = 0.00040;
-const RATE_NOISE: f64 = 1.2e-5;
 const BIAS_NOISE: f64 = 1.0e-4;
 const DAMPING: f64 = 0.1;
 const JUMP: f64 = 0.14;
@@ -136,7 +135,7 @@ impl Observer {
             0.0,
             4.0 * DAMPING * w * waves * waves * dt,
             0.0,
-            RATE_NOISE * RATE_NOISE * ship.ratio * dt,
+            settings.yaw_disturbance * settings.yaw_disturbance * ship.ratio * dt,
             BIAS_NOISE * BIAS_NOISE * dt,
         ];
         let fp = product(&f, &self.p, false);

@@ -45,6 +45,10 @@ pub struct SteeringSettings {
     pub curvature_lead: f64,
     /// Time constant of the estimate of the current, s.
     pub current_time: f64,
+    /// Time constant with which fixes correct the reckoned position, s.
+    pub fix_time: f64,
+    /// Yaw disturbance that the observer expects, radians a second in the root of a second.
+    pub yaw_disturbance: f64,
     /// Order slew limit, degrees a second (FA6).
     pub slew: f64,
     /// Largest rudder angle.
@@ -84,10 +88,12 @@ impl Default for SteeringSettings {
             curvature_window: 45.0,
             curvature_lead: 2.0,
             current_time: 50.0,
+            fix_time: 10.0,
+            yaw_disturbance: 4.0e-6,
             slew: 5.0,
             rudder_max: RudderAngle::from_deg(35.0),
             free_rate: RateOfTurn::from_deg_per_min(24.0),
-            turn_acceleration: 0.03,
+            turn_acceleration: 0.02,
             wave_yaw: 0.3,
             wave_frequency: 0.55,
             cruise_speed: Speed::from_knots(15.0),
@@ -111,6 +117,13 @@ pub(super) struct Ship {
 }
 
 impl SteeringSettings {
+    /// Seconds before the start of an arc at which its radius and centre should be known: half the window
+    /// over which the curvature is averaged, and the lead.
+    #[must_use]
+    pub fn forwarding_time(&self) -> f64 {
+        0.5 * self.curvature_window + self.curvature_lead
+    }
+
     pub(super) fn at_speed(&self, speed: f64) -> Ship {
         let reference = self.reference_speed.mps().max(0.5);
         let speed = speed.max(self.minimum_speed.mps()).max(0.5);

@@ -1,12 +1,13 @@
 //! Track: from the path and the ship's place to the heading and the rate that keep her on it.
 //!
 //! ```text
-//! chi = pi_s - atan((y - o + k int y)/D)                      course over ground [rad], D look-ahead [m]
+//! chi = pi_s - f((y - o + k int y)/D)                         course over ground [rad], D look-ahead [m]
 //! r_c = U_g k_s + d/dt of the second term                     [rad/s]
 //! chi_w = chi - asin(V_c_right/U_w)                           course through the water, current V_c [m/s]
 //! r   = r_c U_g/(U_w cos(chi_w - chi))                        the rate needed through the water
 //! psi = chi_w + c_v r/U_w                                     heading: the sway turns the bow inwards
 //! ```
+//! `f` is the line of sight near the track; far from it the angle that a turn of limited rate can take off again.
 //! `pi_s`, `k_s`, `o` are the planned direction, curvature and place averaged over a window centred on the
 //! ship (`path.rs`): the forwarding distance is half that window. Course control with the speed over ground
 //! holds the radius in a current; Lekkas and Fossen 2013 for the line of sight, the rest worked out here.
@@ -47,8 +48,10 @@ pub(super) struct Steer {
 }
 
 const FADE_TIME: f64 = 10.0;
-/// Fastest change of the approach angle, rad/s.
+/// Fastest change of the approach angle, rad/s at the reference speed.
 const APPROACH_RATE: f64 = 0.006;
+/// Rate at which the approach angle is taken off, rad/s at the reference speed.
+const BRAKE_RATE: f64 = 0.0035;
 const APPROACH_LAG: f64 = 4.0;
 
 impl Guidance {
@@ -102,13 +105,9 @@ impl Guidance {
         }
         let drifting = ground_speed * libm::sin(wrap(made_good - smooth.tangent));
         let bound = settings.approach_angle.to_radians();
-        let ratio = (across + self.integral) / look_ahead;
-        let wanted = (-libm::atan(ratio)).clamp(-bound, bound);
-        let wanted_rate = if libm::fabs(wanted) < bound {
-            -drifting / look_ahead / (1.0 + ratio * ratio)
-        } else {
-            0.0
-        };
+        let brake = BRAKE_RATE * ship.ratio / ground_speed;
+        let (angle, slope) = approach_angle(across + self.integral, look_ahead, brake, bound);
+        let (wanted, wanted_rate) = (-angle, -slope * drifting);
         let (correction, correction_rate) = self.approach(
             wanted,
             wanted_rate,
@@ -185,5 +184,23 @@ impl Guidance {
                 path.course_in,
             ));
         }
+    }
+}
+
+/// Angle towards the track and its slope over the distance (rad, rad/m): `y/D` near the track, farther out
+/// the square root that is taken off with `brake` radians a metre, so that the turn onto the track can be made.
+fn approach_angle(across: f64, look_ahead: f64, brake: f64, bound: f64) -> (f64, f64) {
+    let distance = libm::fabs(across);
+    let near = brake * look_ahead * look_ahead;
+    let (angle, slope) = if distance < near {
+        (distance / look_ahead, 1.0 / look_ahead)
+    } else {
+        let angle = libm::sqrt(2.0 * brake * (distance - near / 2.0));
+        (angle, brake / angle)
+    };
+    if angle < bound {
+        (libm::copysign(angle, across), slope)
+    } else {
+        (libm::copysign(bound, across), 0.0)
     }
 }
