@@ -131,11 +131,11 @@ fn check_step(change: f64, rate: f64, overshoot: f64) {
 
 #[test]
 fn heading_steps_do_not_overshoot() {
-    check_step(10.0, 0.4, 0.5);
-    check_step(30.0, 0.4, 1.2);
-    check_step(-30.0, 0.5, 1.3);
-    check_step(80.0, 0.4, 2.0);
-    check_step(-80.0, 0.5, 2.0);
+    check_step(10.0, 0.4, 1.0);
+    check_step(30.0, 0.4, 1.5);
+    check_step(-30.0, 0.5, 1.7);
+    check_step(80.0, 0.4, 2.5);
+    check_step(-80.0, 0.5, 2.5);
 }
 
 #[test]
