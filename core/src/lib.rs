@@ -11,6 +11,7 @@ pub mod geo;
 pub mod limits;
 pub mod nmea;
 pub mod picture;
+pub mod recording;
 pub mod route;
 pub mod scenario;
 pub mod settings;
