@@ -13,6 +13,7 @@ mod sentences;
 mod sight;
 mod watch;
 
+use crate::picture::Picture;
 use crate::route::{Progress, Route};
 use crate::station::{ChecksumPolicy, Direction, Input, Output, PortSetup, Profile};
 use crate::stream::{ChartOwn, RouteDocument};
@@ -190,6 +191,7 @@ impl ChartSystem {
             }
             for line in &lines {
                 let text = line.clone().into_bytes();
+                self.heard.sent(now, port, &text);
                 let mut bytes = text.clone();
                 bytes.extend_from_slice(b"\r\n");
                 out.push(Output::Line {
@@ -257,6 +259,12 @@ impl ChartSystem {
             wheel_over_s: self.wheel_over_s(self.now),
             why: self.reason(),
         }
+    }
+
+    /// What it has heard and sent; pages fold the same lines.
+    #[must_use]
+    pub const fn picture(&self) -> &Picture {
+        self.heard.picture()
     }
 
     /// Its alerts, the highest first.

@@ -3,9 +3,10 @@
 use crate::geo::{Plane, Point, Position};
 use crate::limits::{Quantity, limits};
 use crate::nmea::{
-    self, ChecksumGate, DataStatus, Frame, Framer, Gll, Hdt, Htd, ModeIndicator, Sentence,
-    SteeringMode, Ths, ThsMode, UtcTime, Vhw, Vtg,
+    self, DataStatus, Frame, Framer, Gll, Hdt, Htd, ModeIndicator, Sentence, SteeringMode, Ths,
+    ThsMode, UtcTime, Vhw, Vtg,
 };
+use crate::picture::Picture;
 use crate::station::{Direction, Output, PortIndex, PortSetup, Profile};
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Speed};
@@ -45,11 +46,9 @@ pub(super) struct Ground {
 /// A value and when it was heard; absent once its source says that it is not valid.
 type Timed<T> = Option<(T, Stamp)>;
 
-/// The framer of a port, and what is believed there.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+/// The framer of a port.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Ear {
-    profile: Profile,
-    gate: ChecksumGate,
     framer: Framer,
     /// When bytes were last heard.
     last: Stamp,
@@ -61,6 +60,7 @@ const LINE_TIMEOUT_MS: u64 = 500;
 /// Everything heard.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Heard {
+    picture: Picture,
     ears: Vec<Ear>,
     fix: Timed<Fix>,
     off: u8,
@@ -81,14 +81,9 @@ fn fresh<T: Copy>(value: Timed<T>, quantity: Quantity, now: Stamp) -> Option<T> 
 
 impl Heard {
     pub(super) fn new(ports: &[PortSetup]) -> Self {
-        let ear = |setup: &PortSetup| Ear {
-            profile: setup.profile,
-            gate: ChecksumGate::new(setup.checksum),
-            framer: Framer::new(),
-            last: Stamp::default(),
-        };
         Self {
-            ears: ports.iter().map(ear).collect(),
+            picture: Picture::new(ports.to_vec()),
+            ears: ports.iter().map(|_| Ear::default()).collect(),
             fix: None,
             off: 0,
             jumped: false,
@@ -132,6 +127,16 @@ impl Heard {
         }
     }
 
+    /// A line was sent.
+    pub(super) fn sent(&mut self, now: Stamp, port: PortIndex, text: &[u8]) {
+        self.picture.fold(now, port, Direction::Out, text);
+    }
+
+    /// Everything heard and sent, as a page folds it.
+    pub(super) const fn picture(&self) -> &Picture {
+        &self.picture
+    }
+
     fn take(&mut self, now: Stamp, port: PortIndex, lines: &[Output]) {
         for line in lines {
             if let Output::Line { text, .. } = line {
@@ -142,13 +147,16 @@ impl Heard {
 
     fn line(&mut self, now: Stamp, port: PortIndex, text: &[u8]) {
         let sentence = nmea::decode(text);
-        let Some(ear) = self.ears.get_mut(port) else {
+        let Some(profile) = self.picture.ports.get(port).map(|setup| setup.profile) else {
             return;
         };
-        if !ear.gate.accepts(&sentence) {
+        if !self
+            .picture
+            .fold_sentence(now, port, Direction::In, &sentence)
+        {
             return;
         }
-        match ear.profile {
+        match profile {
             Profile::Gps => {
                 self.position(now, &sentence);
                 self.ground(now, &sentence);
