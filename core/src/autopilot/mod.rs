@@ -10,27 +10,29 @@ mod entry;
 mod follow;
 mod guard;
 mod modes;
+mod operator;
+mod own;
 mod report;
+mod sensors;
 pub mod steering;
 
 use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
 use crate::nmea::{self, Framer};
-use crate::picture::{Heard, Picture};
+use crate::picture::Picture;
 use crate::settings::Settings;
-use crate::station::{Direction, Input, Output, PortIndex, PortSetup, Profile, Refusal};
-use crate::stream::{Do, ModeRequest, Own, Pending};
+use crate::station::{Direction, Input, Output, PortIndex, PortSetup, Profile};
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn, RudderAngle, Turn};
+use crate::units::{Heading, RateOfTurn, RudderAngle};
 use alloc::collections::VecDeque;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
-use guard::{HeadingGuard, HeadingVerdict, PositionGuard};
+use guard::{HeadingGuard, PositionGuard};
 use modes::{Event, Ship};
 pub use modes::{Finish, Mode};
 use serde::{Deserialize, Serialize};
-use steering::{Demand, Measured, Steered, Steering, SteeringSettings, TurnBy};
+use steering::{Demand, Steered, Steering, SteeringSettings, TurnBy};
 
 /// A selection of AutoNAV that waits for the chart system (AP-6).
 pub const CONFIRM_MS: u64 = 20_000;
@@ -143,85 +145,6 @@ impl Autopilot {
         }
     }
 
-    /// Does what an operator asks, or says why not.
-    ///
-    /// # Errors
-    /// The reason an officer would give.
-    pub fn command(&mut self, now: Stamp, action: &Do) -> Result<String, Refusal> {
-        let result = match action {
-            Do::Mode(ModeRequest::Standby) => {
-                self.pending = None;
-                self.alerts.rectify(now, Alert::HeadingLost);
-                self.alerts.rectify(now, Alert::Override);
-                self.apply(now, &Event::Standby, "operator selected STANDBY");
-                Ok("STANDBY".into())
-            }
-            Do::Mode(ModeRequest::Auto) => self.select_auto(now),
-            Do::Mode(ModeRequest::Autonav) => self.request_autonav(now),
-            Do::Mode(ModeRequest::Cancel) => {
-                self.pending = None;
-                Ok("AutoNAV selection withdrawn".into())
-            }
-            Do::Mode(ModeRequest::Track) => {
-                Err(Refusal("TRACK needs valid APB: none is heard".into()))
-            }
-            Do::SetHeading(degrees) => self.set_heading(now, Heading::from_deg(*degrees)),
-            Do::AdjustHeading(degrees) => match &self.mode {
-                Mode::Auto { set, .. } => {
-                    let set = *set + Turn::from_deg(*degrees);
-                    self.set_heading(now, set)
-                }
-                _ => Err(Refusal("the heading is set in AUTO only".into())),
-            },
-            Do::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
-                Ok(format!("alert {number} acknowledged"))
-            }
-            Do::Acknowledge(number) => Err(Refusal(format!(
-                "alert {number} waits for no acknowledgement"
-            ))),
-            Do::Silence(_) => {
-                self.alerts.silence(now);
-                Ok("silenced for 30 s".into())
-            }
-            Do::Setting { key, value } => {
-                self.settings.set(key, *value).map_err(Refusal)?;
-                let ship = self.steering.settings_mut();
-                ship.slew = self.settings.rudder_slew;
-                ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);
-                Ok(format!("{key} is {value}"))
-            }
-            _ => Err(Refusal("not a command to the autopilot".into())),
-        };
-        if let Err(refusal) = &result {
-            self.why = refusal.0.clone();
-        }
-        result
-    }
-
-    fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {
-        let Some(heading) = self.heading else {
-            return Err(Refusal("no heading".into()));
-        };
-        if self.override_heard(now) {
-            return Err(Refusal("override is in use".into()));
-        }
-        self.pending = None;
-        self.alerts.rectify(now, Alert::HeadingLost);
-        self.alerts.rectify(now, Alert::TrackFail);
-        self.alerts.rectify(now, Alert::Override);
-        self.apply(now, &Event::Auto, "operator selected AUTO");
-        Ok(format!("AUTO on {:05.1}", heading.deg()))
-    }
-
-    fn set_heading(&mut self, now: Stamp, set: Heading) -> Result<String, Refusal> {
-        if !matches!(self.mode, Mode::Auto { .. }) {
-            return Err(Refusal("the heading is set in AUTO only".into()));
-        }
-        self.off_heading_since = None;
-        self.apply(now, &Event::SetHeading(set), "operator set the heading");
-        Ok(format!("set heading {:05.1}", set.deg()))
-    }
-
     fn hear(&mut self, now: Stamp, port: PortIndex, bytes: &[u8], out: &mut Vec<Output>) {
         let Some(mut framer) = self.framers.get_mut(port).map(core::mem::take) else {
             return;
@@ -300,111 +223,6 @@ impl Autopilot {
         self.watch_rudder(now);
         self.watch_heading(now);
         self.send_order(out);
-    }
-
-    /// A heard value that is fresh and was heard since the last stall.
-    fn fresh<T: Clone>(&self, heard: Option<&Heard<T>>, quantity: Quantity) -> Option<T> {
-        let heard = heard?;
-        if self.fresh_after.is_some_and(|after| heard.at <= after) {
-            return None;
-        }
-        heard.usable(quantity, self.now).cloned()
-    }
-
-    fn read_sensors(&mut self, now: Stamp) {
-        let rate = self.fresh(self.picture.rate(now), Quantity::RateOfTurn);
-        let read = self.fresh(self.picture.heading(now), Quantity::Heading);
-        let sensed = rate.unwrap_or_default();
-        let judged = read.map(|read| {
-            self.heading_guard
-                .judge(now, read, sensed, self.settings.heading_jump)
-        });
-        let before = self.heading;
-        self.heading = match judged {
-            Some(HeadingVerdict::Good(heading) | HeadingVerdict::Bridged(heading)) => Some(heading),
-            Some(HeadingVerdict::Invalid) | None => None,
-        };
-        if read.is_none() {
-            self.heading_guard.reset();
-        }
-        let jumped = matches!(
-            judged,
-            Some(HeadingVerdict::Bridged(_) | HeadingVerdict::Invalid)
-        );
-        self.alerts.set(now, Alert::HeadingJump, jumped, "");
-        self.rate =
-            rate.unwrap_or_else(|| derived_rate(before, self.heading, self.rate, self.step_ms()));
-        if self.heading.is_none()
-            && self.mode != Mode::Standby
-            && !matches!(self.mode, Mode::RudderHold { .. })
-        {
-            let why = if judged.is_some() {
-                "the heading jumped"
-            } else {
-                "no heading for 2 s"
-            };
-            self.alerts.raise(now, Alert::HeadingLost, "");
-            self.pending = None;
-            self.apply(now, &Event::HeadingLost, &format!("{why}: rudder held"));
-        }
-        self.read_position(now);
-    }
-
-    fn read_position(&mut self, now: Stamp) {
-        if let Some(ground) = self.fresh(self.picture.ground(now), Quantity::Ground) {
-            self.position_guard.ground(ground.course, ground.speed);
-        }
-        let heard = self.picture.fix(now);
-        let new = heard.filter(|fix| self.last_fix.is_none_or(|last| fix.at > last));
-        let new = new.map(|fix| (fix.at, fix.value));
-        if let Some((at, fix)) = new {
-            self.last_fix = Some(at);
-            let verdict = self
-                .position_guard
-                .judge(at, fix.position, self.settings.position_jump);
-            self.alerts.set(
-                now,
-                Alert::PositionJump,
-                verdict != guard::FixVerdict::Taken,
-                "",
-            );
-            let engaged = self.mode.is_autonav();
-            self.alerts
-                .set(now, Alert::NoDifferential, engaged && !fix.corrected, "");
-            if verdict == guard::FixVerdict::Jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
-                self.track_fail(now, modes::Cause::PositionJump, "the position jumped");
-            }
-        }
-        self.recentre();
-        let speed = self
-            .fresh(self.picture.ground(now), Quantity::Ground)
-            .is_some()
-            || self
-                .fresh(self.picture.water_speed(now), Quantity::WaterSpeed)
-                .is_some();
-        self.alerts.set(
-            now,
-            Alert::SpeedLost,
-            !speed && self.mode != Mode::Standby,
-            "",
-        );
-    }
-
-    fn measured(&self, now: Stamp) -> Option<Measured> {
-        let ground = self.fresh(self.picture.ground(now), Quantity::Ground);
-        let water = self.fresh(self.picture.water_speed(now), Quantity::WaterSpeed);
-        let cruise = crate::units::Speed::from_knots(self.settings.cruise_speed);
-        let speed = water
-            .or(ground.as_ref().map(|ground| ground.speed))
-            .unwrap_or(cruise);
-        Some(Measured {
-            heading: self.heading?,
-            rate: self.rate,
-            rudder: self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder),
-            water_speed: Some(speed),
-            ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
-            position: self.position_guard.fix(now),
-        })
     }
 
     /// What the mode asks of the steering; absent where no orders are computed.
@@ -534,74 +352,4 @@ impl Autopilot {
     pub fn rudder_order(&self) -> Option<RudderAngle> {
         (self.mode != Mode::Standby).then_some(self.order)
     }
-
-    /// Own facts for the page.
-    #[must_use]
-    pub fn own(&self, now: Stamp) -> Own {
-        let steered = self.steered.as_ref();
-        Own {
-            mode: self.mode.name(),
-            why: self.why.clone(),
-            pending: self.pending.map(|until| Pending {
-                request: crate::stream::ModeName::AutonavTi,
-                until: until.0,
-                waits_for: self.waits_for(now),
-            }),
-            set_heading: match &self.mode {
-                Mode::Auto { set, .. } => Some(set.deg()),
-                _ => None,
-            },
-            hts: self.hts().map(Heading::deg),
-            set_rate: self.settings.set_rate,
-            set_radius: self.settings.set_radius,
-            by_radius: self.settings.set_by_radius >= 0.5,
-            rudder_limit: if self.mode.is_autonav() {
-                self.settings.rudder_max
-            } else {
-                self.settings.rudder_limit
-            },
-            rudder_order: self.rudder_order().map(RudderAngle::deg),
-            cross_track: steered
-                .and_then(|steered| steered.cross_track)
-                .map(crate::units::Distance::m),
-            sources: self.sources(now),
-            terms: steered.map_or([0.0; 4], |steered| steered.terms),
-            limited: steered.is_some_and(|steered| steered.limited),
-            output: self
-                .picture
-                .ports
-                .iter()
-                .any(|port| port.profile == Profile::Gear && port.output),
-        }
-    }
-
-    fn sources(&self, now: Stamp) -> Vec<(String, String)> {
-        let picture = &self.picture;
-        let list = [
-            ("heading", picture.heading(now).map(|heard| &heard.source)),
-            ("rate", picture.rate(now).map(|heard| &heard.source)),
-            ("position", picture.fix(now).map(|heard| &heard.source)),
-            ("ground", picture.ground(now).map(|heard| &heard.source)),
-            ("water", picture.water_speed(now).map(|heard| &heard.source)),
-        ];
-        list.into_iter()
-            .filter_map(|(name, source)| Some((name.to_string(), picture.source_name(source?))))
-            .collect()
-    }
-}
-
-/// Rate of turn from the heading where no sensor gives it, smoothed over about 3 s.
-fn derived_rate(
-    before: Option<Heading>,
-    now: Option<Heading>,
-    rate: RateOfTurn,
-    step_ms: u64,
-) -> RateOfTurn {
-    let (Some(before), Some(now)) = (before, now) else {
-        return RateOfTurn::default();
-    };
-    let dt = step_ms as f64 / 1000.0;
-    let raw = (now - before).deg() / dt * 60.0;
-    let share = dt / 3.0;
-    RateOfTurn::from_deg_per_min(rate.deg_per_min() + share * (raw - rate.deg_per_min()))
 }

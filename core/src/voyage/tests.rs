@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::stream::ModeName;
+use alloc::format;
 use alloc::vec;
 
 /// Runs second by second; `see` is asked after each.

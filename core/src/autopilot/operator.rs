@@ -1,0 +1,92 @@
+//! What the operator asks for, and the answer (AP-6, HTC-4).
+
+use super::modes::Event;
+use super::{Autopilot, Mode};
+use crate::alerts::Alert;
+use crate::station::Refusal;
+use crate::stream::{Do, ModeRequest};
+use crate::time::Stamp;
+use crate::units::{Heading, RudderAngle, Turn};
+use alloc::format;
+use alloc::string::String;
+
+impl Autopilot {
+    /// Does what an operator asks, or says why not.
+    ///
+    /// # Errors
+    /// The reason an officer would give.
+    pub fn command(&mut self, now: Stamp, action: &Do) -> Result<String, Refusal> {
+        let result = match action {
+            Do::Mode(ModeRequest::Standby) => {
+                self.pending = None;
+                self.alerts.rectify(now, Alert::HeadingLost);
+                self.alerts.rectify(now, Alert::Override);
+                self.apply(now, &Event::Standby, "operator selected STANDBY");
+                Ok("STANDBY".into())
+            }
+            Do::Mode(ModeRequest::Auto) => self.select_auto(now),
+            Do::Mode(ModeRequest::Autonav) => self.request_autonav(now),
+            Do::Mode(ModeRequest::Cancel) => {
+                self.pending = None;
+                Ok("AutoNAV selection withdrawn".into())
+            }
+            Do::Mode(ModeRequest::Track) => {
+                Err(Refusal("TRACK needs valid APB: none is heard".into()))
+            }
+            Do::SetHeading(degrees) => self.set_heading(now, Heading::from_deg(*degrees)),
+            Do::AdjustHeading(degrees) => match &self.mode {
+                Mode::Auto { set, .. } => {
+                    let set = *set + Turn::from_deg(*degrees);
+                    self.set_heading(now, set)
+                }
+                _ => Err(Refusal("the heading is set in AUTO only".into())),
+            },
+            Do::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
+                Ok(format!("alert {number} acknowledged"))
+            }
+            Do::Acknowledge(number) => Err(Refusal(format!(
+                "alert {number} waits for no acknowledgement"
+            ))),
+            Do::Silence(_) => {
+                self.alerts.silence(now);
+                Ok("silenced for 30 s".into())
+            }
+            Do::Setting { key, value } => {
+                self.settings.set(key, *value).map_err(Refusal)?;
+                let ship = self.steering.settings_mut();
+                ship.slew = self.settings.rudder_slew;
+                ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);
+                Ok(format!("{key} is {value}"))
+            }
+            _ => Err(Refusal("not a command to the autopilot".into())),
+        };
+        if let Err(refusal) = &result {
+            self.why = refusal.0.clone();
+        }
+        result
+    }
+
+    fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {
+        let Some(heading) = self.heading else {
+            return Err(Refusal("no heading".into()));
+        };
+        if self.override_heard(now) {
+            return Err(Refusal("override is in use".into()));
+        }
+        self.pending = None;
+        self.alerts.rectify(now, Alert::HeadingLost);
+        self.alerts.rectify(now, Alert::TrackFail);
+        self.alerts.rectify(now, Alert::Override);
+        self.apply(now, &Event::Auto, "operator selected AUTO");
+        Ok(format!("AUTO on {:05.1}", heading.deg()))
+    }
+
+    fn set_heading(&mut self, now: Stamp, set: Heading) -> Result<String, Refusal> {
+        if !matches!(self.mode, Mode::Auto { .. }) {
+            return Err(Refusal("the heading is set in AUTO only".into()));
+        }
+        self.off_heading_since = None;
+        self.apply(now, &Event::SetHeading(set), "operator set the heading");
+        Ok(format!("set heading {:05.1}", set.deg()))
+    }
+}

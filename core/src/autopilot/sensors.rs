@@ -1,0 +1,135 @@
+//! What the sensors say, judged: heading, rate of turn, position, speeds (AP-9, FA7 to FA10).
+
+use super::guard::{FixVerdict, HeadingVerdict};
+use super::modes::{Cause, Event};
+use super::steering::Measured;
+use super::{Autopilot, Mode};
+use crate::alerts::Alert;
+use crate::limits::Quantity;
+use crate::picture::Heard;
+use crate::time::Stamp;
+use crate::units::{Heading, RateOfTurn, Speed};
+use alloc::format;
+
+impl Autopilot {
+    /// A heard value that is fresh and was heard since the last stall.
+    pub(super) fn fresh<T: Clone>(
+        &self,
+        heard: Option<&Heard<T>>,
+        quantity: Quantity,
+    ) -> Option<T> {
+        let heard = heard?;
+        if self.fresh_after.is_some_and(|after| heard.at <= after) {
+            return None;
+        }
+        heard.usable(quantity, self.now).cloned()
+    }
+
+    pub(super) fn read_sensors(&mut self, now: Stamp) {
+        let rate = self.fresh(self.picture.rate(now), Quantity::RateOfTurn);
+        let read = self.fresh(self.picture.heading(now), Quantity::Heading);
+        let sensed = rate.unwrap_or_default();
+        let judged = read.map(|read| {
+            self.heading_guard
+                .judge(now, read, sensed, self.settings.heading_jump)
+        });
+        let before = self.heading;
+        self.heading = match judged {
+            Some(HeadingVerdict::Good(heading) | HeadingVerdict::Bridged(heading)) => Some(heading),
+            Some(HeadingVerdict::Invalid) | None => None,
+        };
+        if read.is_none() {
+            self.heading_guard.reset();
+        }
+        let jumped = matches!(
+            judged,
+            Some(HeadingVerdict::Bridged(_) | HeadingVerdict::Invalid)
+        );
+        self.alerts.set(now, Alert::HeadingJump, jumped, "");
+        self.rate =
+            rate.unwrap_or_else(|| derived_rate(before, self.heading, self.rate, self.step_ms()));
+        if self.heading.is_none()
+            && self.mode != Mode::Standby
+            && !matches!(self.mode, Mode::RudderHold { .. })
+        {
+            let why = if judged.is_some() {
+                "the heading jumped"
+            } else {
+                "no heading for 2 s"
+            };
+            self.alerts.raise(now, Alert::HeadingLost, "");
+            self.pending = None;
+            self.apply(now, &Event::HeadingLost, &format!("{why}: rudder held"));
+        }
+        self.read_position(now);
+    }
+
+    pub(super) fn read_position(&mut self, now: Stamp) {
+        if let Some(ground) = self.fresh(self.picture.ground(now), Quantity::Ground) {
+            self.position_guard.ground(ground.course, ground.speed);
+        }
+        let heard = self.picture.fix(now);
+        let new = heard.filter(|fix| self.last_fix.is_none_or(|last| fix.at > last));
+        let new = new.map(|fix| (fix.at, fix.value));
+        if let Some((at, fix)) = new {
+            self.last_fix = Some(at);
+            let verdict = self
+                .position_guard
+                .judge(at, fix.position, self.settings.position_jump);
+            self.alerts
+                .set(now, Alert::PositionJump, verdict != FixVerdict::Taken, "");
+            let engaged = self.mode.is_autonav();
+            self.alerts
+                .set(now, Alert::NoDifferential, engaged && !fix.corrected, "");
+            if verdict == FixVerdict::Jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
+                self.track_fail(now, Cause::PositionJump, "the position jumped");
+            }
+        }
+        self.recentre();
+        let speed = self
+            .fresh(self.picture.ground(now), Quantity::Ground)
+            .is_some()
+            || self
+                .fresh(self.picture.water_speed(now), Quantity::WaterSpeed)
+                .is_some();
+        self.alerts.set(
+            now,
+            Alert::SpeedLost,
+            !speed && self.mode != Mode::Standby,
+            "",
+        );
+    }
+
+    pub(super) fn measured(&self, now: Stamp) -> Option<Measured> {
+        let ground = self.fresh(self.picture.ground(now), Quantity::Ground);
+        let water = self.fresh(self.picture.water_speed(now), Quantity::WaterSpeed);
+        let cruise = Speed::from_knots(self.settings.cruise_speed);
+        let speed = water
+            .or(ground.as_ref().map(|ground| ground.speed))
+            .unwrap_or(cruise);
+        Some(Measured {
+            heading: self.heading?,
+            rate: self.rate,
+            rudder: self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder),
+            water_speed: Some(speed),
+            ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
+            position: self.position_guard.fix(now),
+        })
+    }
+}
+
+/// Rate of turn from the heading where no sensor gives it, smoothed over about 3 s.
+fn derived_rate(
+    before: Option<Heading>,
+    now: Option<Heading>,
+    rate: RateOfTurn,
+    step_ms: u64,
+) -> RateOfTurn {
+    let (Some(before), Some(now)) = (before, now) else {
+        return RateOfTurn::default();
+    };
+    let dt = step_ms as f64 / 1000.0;
+    let raw = (now - before).deg() / dt * 60.0;
+    let share = dt / 3.0;
+    RateOfTurn::from_deg_per_min(rate.deg_per_min() + share * (raw - rate.deg_per_min()))
+}

@@ -1,0 +1,170 @@
+//! Commands: to whom each goes, what the embedded voyage does with its own, what the officer presses.
+
+use super::officer::{Action, Officer, Watch};
+use super::{Voyage, VoyageOutput};
+use crate::stream::{Do, FaultKind};
+use crate::time::Stamp;
+use crate::units::{Course, Speed};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+impl Voyage {
+    pub(super) fn command(
+        &mut self,
+        now: Stamp,
+        action: &Do,
+        out: &mut Vec<VoyageOutput>,
+    ) -> Result<String, String> {
+        if self.embedded.is_some() && takes_the_watch(action) && self.officer.on {
+            self.officer.on = false;
+        }
+        self.carry_out(now, action, out)
+    }
+
+    /// Gives a command to whom it concerns.
+    pub(super) fn carry_out(
+        &mut self,
+        now: Stamp,
+        action: &Do,
+        out: &mut Vec<VoyageOutput>,
+    ) -> Result<String, String> {
+        match action {
+            Do::Speed(_) | Do::Officer(_) | Do::Fault { .. } | Do::Current { .. } => {
+                self.conduct(now, action)
+            }
+            Do::Chart(request) => match &mut self.chart {
+                Some(chart) => chart.command(now, request).map_err(|refusal| refusal.0),
+                None => Err("the chart system is a foreign one".into()),
+            },
+            Do::Acknowledge(number) if *number >= 200 => {
+                let taken = self
+                    .chart
+                    .as_mut()
+                    .is_some_and(|chart| chart.acknowledge(now, *number));
+                if taken {
+                    Ok(format!("alert {number} acknowledged"))
+                } else {
+                    Err(format!("alert {number} waits for no acknowledgement"))
+                }
+            }
+            _ => {
+                if let (Do::Silence(_), Some(chart)) = (action, &mut self.chart) {
+                    chart.silence(now);
+                }
+                let Some(autopilot) = &mut self.autopilot else {
+                    return Err("the autopilot is a foreign one: command it there".into());
+                };
+                let answer = autopilot.command(now, action).map_err(|refusal| refusal.0);
+                if let (Do::Setting { key, value }, Ok(_)) = (action, &answer) {
+                    self.settings_revision += 1;
+                    out.push(VoyageOutput::Persist {
+                        key: key.clone(),
+                        value: *value,
+                    });
+                    out.push(VoyageOutput::Settings);
+                }
+                answer
+            }
+        }
+    }
+
+    /// Commands that only the embedded voyage knows.
+    pub(super) fn conduct(&mut self, now: Stamp, action: &Do) -> Result<String, String> {
+        if self.embedded.is_none() {
+            return Err("only in the embedded voyage".into());
+        }
+        match action {
+            Do::Speed(speed) if (1.0..=60.0).contains(speed) => {
+                self.speed = *speed;
+                Ok(format!("{speed}x"))
+            }
+            Do::Speed(speed) => Err(format!("speed is {speed}, allowed are 1 to 60")),
+            Do::Officer(on) => {
+                self.officer = Officer::new(now, *on);
+                let text = if *on {
+                    "the scripted officer has the watch"
+                } else {
+                    "you have the watch"
+                };
+                Ok(text.into())
+            }
+            Do::Current { set, drift } => {
+                if !(0.0..=5.0).contains(drift) || !set.is_finite() {
+                    return Err(format!("drift is {drift}, allowed are 0 to 5 kn"));
+                }
+                if let Some(world) = &mut self.world {
+                    world.set_current(Course::from_deg(*set), Speed::from_knots(*drift));
+                }
+                Ok(format!("current {drift} kn to {set:03}"))
+            }
+            Do::Fault { cable, kind, on } => {
+                let sensor = matches!(kind, FaultKind::Jump | FaultKind::Stuck);
+                let profile = self.cables.profile(cable);
+                let known = match (sensor, &mut self.world, profile) {
+                    (_, _, None) => return Err(format!("no cable is named {cable}")),
+                    (true, Some(world), Some(profile)) => world.injure(profile, *kind, *on),
+                    (true, ..) => false,
+                    (false, ..) => true,
+                };
+                if !known {
+                    return Err(format!(
+                        "{cable} cannot do that: only gyro1, gps and log jump or stick"
+                    ));
+                }
+                self.cables.injure(cable, *kind, *on);
+                Ok(format!(
+                    "{cable} {}",
+                    if *on { "injured" } else { "healed" }
+                ))
+            }
+            _ => Err("not a command to the embedded voyage".into()),
+        }
+    }
+
+    /// Once a second the scripted officer looks around.
+    pub(super) fn watch(&mut self, now: Stamp, out: &mut Vec<VoyageOutput>) {
+        if self.embedded.is_none() {
+            return;
+        }
+        let (Some(autopilot), Some(chart)) = (&self.autopilot, &self.chart) else {
+            return;
+        };
+        let mut alerts = autopilot.alerts().views();
+        alerts.extend(chart.alerts());
+        let own = chart.own();
+        let watch = Watch {
+            mode: autopilot.mode().name(),
+            pending: autopilot.pending(),
+            situation: own.situation,
+            commanded: own.control != "off",
+            alerts: &alerts,
+        };
+        match self.officer.next(now, &watch) {
+            Some(Action::Command(action)) => {
+                // A refused command is tried again; the reason stands in the snapshot.
+                let _ = self.carry_out(now, &action, out);
+            }
+            Some(Action::NewRound) => {
+                self.round += 1;
+                if let (Some(chart), Some(route)) = (&mut self.chart, &self.embedded) {
+                    chart.load(route.clone());
+                }
+            }
+            None => {}
+        }
+    }
+}
+
+/// Whether a human command takes the watch from the scripted officer.
+const fn takes_the_watch(action: &Do) -> bool {
+    !matches!(
+        action,
+        Do::Speed(_)
+            | Do::Officer(_)
+            | Do::Fault { .. }
+            | Do::Current { .. }
+            | Do::Acknowledge(_)
+            | Do::Silence(_)
+    )
+}
