@@ -14,7 +14,9 @@ macro_rules! codes {
         impl $name {
             /// Every variant, in the order of the source.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+            #[allow(dead_code)]
             pub(crate) const LETTERS: &'static [u8] = &[$($letter),+];
+            #[allow(dead_code)]
             pub(crate) const MEANINGS: &'static [&'static str] = &[$($meaning),+];
             /// Its letter on the wire.
             #[must_use]

@@ -82,6 +82,8 @@ pub struct Item<'a> {
     pub entry: usize,
     /// Index of the member within its list (members, group or tail).
     pub(crate) index: usize,
+    /// Whether it stands behind the group.
+    pub(crate) in_tail: bool,
     /// Its value.
     pub value: Value<'a>,
 }
@@ -180,29 +182,22 @@ impl<'a> Sentence<'a> {
     pub fn walk(&self, mut item: impl FnMut(Item<'a>), faults: &mut Vec<Fault>) {
         let Some(definition) = self.known else { return };
         let mut at = definition.first();
-        let mut visit =
-            |members: &'static [Kind], entry: usize, at: &mut usize, faults: &mut Vec<Fault>| {
-                for (index, kind) in members.iter().enumerate() {
-                    if *at >= self.fields.len() {
-                        break;
-                    }
-                    let value = read(kind, &self.fields, *at, faults);
-                    item(Item {
-                        field: *at + 1,
-                        kind,
-                        entry,
-                        index,
-                        value,
-                    });
-                    *at += kind.width();
+        let mut visit = |members: &'static [Kind], (entry, in_tail), faults: &mut Vec<Fault>| {
+            for (index, kind) in members.iter().enumerate() {
+                if at >= self.fields.len() {
+                    break;
                 }
-            };
-        visit(definition.members, 0, &mut at, faults);
+                let value = read(kind, &self.fields, at, faults);
+                item(Item { field: at + 1, kind, entry, index, in_tail, value });
+                at += kind.width();
+            }
+        };
+        visit(definition.members, (0, false), faults);
         if let Some(group) = &definition.group {
             for entry in 1..=group_count(definition, &self.fields) {
-                visit(group.members, entry, &mut at, faults);
+                visit(group.members, (entry, false), faults);
             }
-            visit(definition.tail, 0, &mut at, faults);
+            visit(definition.tail, (0, true), faults);
         }
     }
 

@@ -29,7 +29,6 @@ pub(crate) const CROSS: Format = Format::new(Unit::NauticalMiles, 0, MAX, 1, 4);
 pub(crate) const KNOTS: Format = Format::new(Unit::Knots, 0, MAX, 1, 1);
 pub(crate) const KMH: Format = Format::new(Unit::KilometresPerHour, 0, MAX, 1, 1);
 pub(crate) const DEVIATION: Format = Format::new(Unit::Degrees, 0, 180, 1, 1);
-pub(crate) const BARE: Format = Format::new(Unit::None, -MAX, MAX, 1, 1);
 
 /// A whole number of `digits` digits from `low` to `high`.
 pub(crate) const fn whole(low: i32, high: i32, digits: u8) -> Format {

@@ -1,0 +1,375 @@
+//! Explanation: the table walked beside the raw fields, each with name, value, unit, meaning and use.
+
+pub use super::json::{json, json_line};
+
+use super::fault::{Fault, FaultKind};
+use super::table::{Kind, MemberText, SentenceText, Sides};
+use super::tables::text;
+use super::value::{UtcTime, Value, degrees};
+use super::{Date, Item, Sentence};
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// A sentence explained.
+#[derive(Clone, Debug)]
+pub struct Explanation<'a> {
+    /// What the sentence is; none where it is unknown.
+    pub title: Option<&'static str>,
+    /// The documents that define it.
+    pub source: Option<&'static str>,
+    /// Its fields in order.
+    pub fields: Vec<Field<'a>>,
+    /// Everything that is wrong.
+    pub faults: Vec<Fault>,
+}
+
+/// A field explained.
+#[derive(Clone, Debug)]
+pub struct Field<'a> {
+    /// Its number, from 1.
+    pub n: usize,
+    /// Its name.
+    pub name: Name,
+    /// What stands there.
+    pub raw: &'a [u8],
+    /// Its typed value.
+    pub value: FieldValue<'a>,
+    /// Its unit.
+    pub unit: Option<&'static str>,
+    /// What its code means.
+    pub meaning: Option<&'static str>,
+    /// What it is and what this interface does with it.
+    pub note: &'static str,
+    /// What is wrong with it.
+    pub fault: Option<FaultKind>,
+}
+
+/// Value of one wire field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FieldValue<'a> {
+    /// Empty, or faulty.
+    None,
+    /// A number in the sentence's own unit; an angle in decimal degrees, north and east positive.
+    Number(f64),
+    /// A whole number.
+    Integer(i64),
+    /// A letter.
+    Letter(u8),
+    /// A text with escapes.
+    Text(&'a [u8]),
+    /// A time of day.
+    Time(UtcTime),
+    /// A date.
+    Date(Date),
+}
+
+/// Which part of a member a wire field is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Whole,
+    Side,
+    Unit,
+    Latitude,
+    LatitudeSide,
+    Longitude,
+    LongitudeSide,
+}
+
+/// Name of a wire field: its member, its part and the entry of the group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Name {
+    member: &'static str,
+    part: Part,
+    entry: usize,
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let angle = match self.part {
+            Part::Whole | Part::Side | Part::Unit => None,
+            Part::Latitude | Part::LatitudeSide => Some("latitude"),
+            Part::Longitude | Part::LongitudeSide => Some("longitude"),
+        };
+        match angle {
+            Some(angle) if self.member == "position" => f.write_str(angle)?,
+            Some(angle) => write!(f, "{}_{angle}", self.member)?,
+            None => f.write_str(self.member)?,
+        }
+        match self.part {
+            Part::Side | Part::LatitudeSide | Part::LongitudeSide => f.write_str("_side")?,
+            Part::Unit => f.write_str("_unit")?,
+            _ => {}
+        }
+        if self.entry > 0 {
+            write!(f, "_{}", self.entry)?;
+        }
+        Ok(())
+    }
+}
+
+const NOTHING: MemberText = MemberText { name: "field", note: "", meanings: &[] };
+
+/// Explains a sentence field by field; an unknown one gives its raw fields.
+#[must_use]
+pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
+    let texts = sentence.known.and_then(text);
+    let mut faults = Vec::new();
+    sentence.frame_faults(&mut faults);
+    let mut fields = Vec::with_capacity(sentence.fields.len());
+    if let Some(definition) = sentence.known
+        && definition.first() == 1
+    {
+        fields.push(plain(sentence, 1, "sub_address", "Which sentence of this maker it is."));
+    }
+    if let Some(texts) = texts {
+        sentence.walk(|item| member(sentence, texts, &item, &mut fields), &mut faults);
+    }
+    let (name, note) = match texts {
+        Some(_) => ("extra", "More fields than any known edition has."),
+        None => ("field", ""),
+    };
+    while fields.len() < sentence.fields.len() {
+        fields.push(plain(sentence, fields.len() + 1, name, note));
+    }
+    fields.truncate(sentence.fields.len());
+    for fault in &faults {
+        if let Some(n) = fault.field
+            && let Some(field) = fields.get_mut(usize::from(n) - 1)
+        {
+            field.fault.get_or_insert(fault.kind);
+        }
+    }
+    Explanation {
+        title: texts.map(|t| t.title),
+        source: texts.map(|t| t.source),
+        fields,
+        faults,
+    }
+}
+
+fn plain<'a>(sentence: &Sentence<'a>, n: usize, name: &'static str, note: &'static str) -> Field<'a> {
+    let raw = sentence.fields.get(n);
+    Field {
+        n,
+        name: Name { member: name, part: Part::Whole, entry: 0 },
+        raw,
+        value: if raw.is_empty() { FieldValue::None } else { FieldValue::Text(raw) },
+        unit: None,
+        meaning: None,
+        note,
+        fault: None,
+    }
+}
+
+fn member<'a>(
+    sentence: &Sentence<'a>,
+    texts: &'static SentenceText,
+    item: &Item<'a>,
+    fields: &mut Vec<Field<'a>>,
+) {
+    let list = match (item.entry, item.in_tail) {
+        (_, true) => texts.tail,
+        (0, _) => texts.members,
+        _ => texts.group,
+    };
+    let words = list.get(item.index).unwrap_or(&NOTHING);
+    let mut push = |offset: usize, part, value, unit, meaning| {
+        let n = item.field + offset;
+        if n <= sentence.fields.len() {
+            let name = Name { member: words.name, part, entry: item.entry };
+            let raw = sentence.fields.get(n);
+            fields.push(Field { n, name, raw, value, unit, meaning, note: words.note, fault: None });
+        }
+    };
+    let number = match item.value {
+        Value::Number(number) => FieldValue::Number(number.value()),
+        _ => FieldValue::None,
+    };
+    let letter = |offset: usize| match sentence.fields.get(item.field + offset) {
+        [letter] => (FieldValue::Letter(*letter), *letter),
+        _ => (FieldValue::None, 0),
+    };
+    match item.kind {
+        Kind::Number(format) => push(0, Part::Whole, number, format.unit.name(), None),
+        Kind::Integer(format) => push(0, Part::Whole, integer(item.value), format.unit.name(), None),
+        Kind::Lettered(format, _) => {
+            push(0, Part::Whole, number, format.unit.name(), None);
+            let (value, letter) = letter(1);
+            push(1, Part::Unit, value, None, unit_meaning(letter, format.unit.name()));
+        }
+        Kind::Sided(format, sides) => {
+            push(0, Part::Whole, number, format.unit.name(), None);
+            let (value, letter) = letter(1);
+            push(1, Part::Side, value, None, side_meaning(letter, *sides));
+        }
+        Kind::Crossed(format, sides, _) => {
+            push(0, Part::Whole, number, format.unit.name(), None);
+            let (value, side) = letter(1);
+            push(1, Part::Side, value, None, side_meaning(side, *sides));
+            let (value, unit) = letter(2);
+            push(2, Part::Unit, value, None, unit_meaning(unit, format.unit.name()));
+        }
+        Kind::Code(letters) => {
+            let (value, meaning) = match item.value {
+                Value::Code(letter) => {
+                    let at = letters.iter().position(|&l| l == letter);
+                    (FieldValue::Letter(letter), at.and_then(|at| words.meanings.get(at).copied()))
+                }
+                _ => (FieldValue::None, None),
+            };
+            push(0, Part::Whole, value, None, meaning);
+        }
+        Kind::Word(list) => {
+            let at = list.iter().position(|w| w.as_bytes() == sentence.fields.get(item.field));
+            let meaning = at.and_then(|at| words.meanings.get(at).copied());
+            push(0, Part::Whole, typed(item.value), None, meaning);
+        }
+        Kind::Position(_) => {
+            let (lat, lon) = match item.value {
+                Value::Position(lat, lon) => {
+                    (FieldValue::Number(degrees(lat)), FieldValue::Number(degrees(lon)))
+                }
+                _ => (FieldValue::None, FieldValue::None),
+            };
+            let unit = Some("deg");
+            push(0, Part::Latitude, lat, unit, None);
+            let (value, side) = letter(1);
+            push(1, Part::LatitudeSide, value, None, compass(side));
+            push(2, Part::Longitude, lon, unit, None);
+            let (value, side) = letter(3);
+            push(3, Part::LongitudeSide, value, None, compass(side));
+        }
+        Kind::Angle { .. } => {
+            let value = item.value.number().map_or(FieldValue::None, FieldValue::Number);
+            push(0, Part::Whole, value, Some("deg"), None);
+            let (value, side) = letter(1);
+            push(1, Part::Side, value, None, compass(side));
+        }
+        Kind::Hex(_) => push(0, Part::Whole, integer(item.value), None, None),
+        Kind::Time | Kind::Date | Kind::Text(_) | Kind::Payload | Kind::Any => {
+            push(0, Part::Whole, typed(item.value), None, None);
+        }
+    }
+}
+
+fn integer(value: Value<'_>) -> FieldValue<'_> {
+    match value {
+        Value::Number(number) => {
+            let size = i64::try_from(number.mantissa()).unwrap_or(i64::MAX);
+            FieldValue::Integer(if number.negative() { -size } else { size })
+        }
+        _ => FieldValue::None,
+    }
+}
+
+fn typed(value: Value<'_>) -> FieldValue<'_> {
+    match value {
+        Value::Text(text) => FieldValue::Text(text),
+        Value::Time(time) => FieldValue::Time(UtcTime::from_wire(time)),
+        Value::Date(date) => FieldValue::Date(Date::from_wire(date)),
+        _ => FieldValue::None,
+    }
+}
+
+fn unit_meaning(letter: u8, unit: Option<&'static str>) -> Option<&'static str> {
+    Some(match (letter, unit) {
+        (b'T', _) => "true",
+        (b'M', Some("deg")) => "magnetic",
+        (b'N', Some("kn")) => "knots",
+        (b'N', Some("nm")) => "nautical miles",
+        (b'K', _) => "kilometres an hour",
+        (b'M', Some("m")) => "metres",
+        (b'M', Some("m/s")) => "metres a second",
+        (b'C', _) => "degrees Celsius",
+        (b'f', _) => "feet",
+        (b'F', _) => "fathoms",
+        (b'B', _) => "bars",
+        (b'I', _) => "inches of mercury",
+        _ => return None,
+    })
+}
+
+fn side_meaning(letter: u8, sides: Sides) -> Option<&'static str> {
+    Some(match (letter, sides) {
+        (b'L', Sides { positive: b'L', .. }) => "steer to port: the ship is right of the track",
+        (b'R', Sides { negative: b'R', .. }) => "steer to starboard: the ship is left of the track",
+        (b'L' | b'P', _) => "port",
+        (b'R' | b'S', _) => "starboard",
+        _ => return compass(letter),
+    })
+}
+
+const fn compass(letter: u8) -> Option<&'static str> {
+    Some(match letter {
+        b'N' => "north",
+        b'S' => "south",
+        b'E' => "east",
+        b'W' => "west",
+        _ => return None,
+    })
+}
+
+impl Explanation<'_> {
+    /// The field with that name, such as `heading_to_steer`.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Option<&Field<'_>> {
+        self.fields.iter().find(|f| f.name.part == Part::Whole && f.name.member == name)
+    }
+}
+
+impl<'a> Sentence<'a> {
+    /// The value of the member with that name, such as `heading_to_steer`; null where there is none.
+    #[must_use]
+    pub fn member(&self, name: &str) -> Value<'a> {
+        let mut found = Value::Null;
+        if let Some(texts) = self.known.and_then(text) {
+            self.walk(
+                |item| {
+                    let list = if item.in_tail { texts.tail } else { texts.members };
+                    if item.entry == 0 && list.get(item.index).is_some_and(|t| t.name == name) {
+                        found = item.value;
+                    }
+                },
+                &mut Vec::new(),
+            );
+        }
+        found
+    }
+}
+
+impl fmt::Display for FieldValue<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => Ok(()),
+            Self::Number(value) => value.fmt(f),
+            Self::Integer(value) => value.fmt(f),
+            Self::Letter(letter) => char::from(*letter).fmt(f),
+            Self::Text(text) => super::unescape(text).fmt(f),
+            Self::Time(time) => time.fmt(f),
+            Self::Date(date) => date.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for UtcTime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (second, rest) = (self.centisecond / 100, self.centisecond % 100);
+        write!(f, "{:02}:{:02}:{second:02}", self.hour, self.minute)?;
+        if rest > 0 { write!(f, ".{rest:02}") } else { Ok(()) }
+    }
+}
+
+impl fmt::Display for Date {
+    /// The year is one of 1970 to 2069.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let century = if self.year >= 70 { 19 } else { 20 };
+        write!(f, "{century}{:02}-{:02}-{:02}", self.year, self.month, self.day)
+    }
+}
+
+/// Bytes of a line as text: ISO 8859-1.
+#[must_use]
+pub fn latin1(bytes: &[u8]) -> String {
+    bytes.iter().map(|&b| char::from(b)).collect()
+}
