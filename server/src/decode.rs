@@ -24,9 +24,27 @@ pub fn decode(path: Option<&Path>, json: bool, quiet: bool) -> io::Result<i32> {
         Some(path) => {
             let file = File::open(path)?;
             let size = file.metadata().map(|m| m.len()).unwrap_or(0);
-            run(BufReader::with_capacity(1 << 18, file), size, &mut out, Form { json, colour, quiet })
+            run(
+                BufReader::with_capacity(1 << 18, file),
+                size,
+                &mut out,
+                Form {
+                    json,
+                    colour,
+                    quiet,
+                },
+            )
         }
-        None => run(io::stdin().lock(), 0, &mut out, Form { json, colour, quiet }),
+        None => run(
+            io::stdin().lock(),
+            0,
+            &mut out,
+            Form {
+                json,
+                colour,
+                quiet,
+            },
+        ),
     };
     let flushed = outcome.and_then(|valid| out.flush().map(|()| valid));
     match flushed {
@@ -50,7 +68,9 @@ fn run(mut input: impl BufRead, size: u64, out: &mut dyn Write, form: Form) -> i
     let (mut number, mut valid) = (0, 0);
     loop {
         line.clear();
-        let read = (&mut input).take(LONGEST_LINE).read_until(b'\n', &mut line)?;
+        let read = (&mut input)
+            .take(LONGEST_LINE)
+            .read_until(b'\n', &mut line)?;
         if read == 0 {
             break;
         }
@@ -100,8 +120,12 @@ fn trimmed(line: &[u8]) -> &[u8] {
 
 /// Takes the time off `12.250 < $EIHTC…` (CLI-3).
 fn time_of(line: &[u8]) -> (Option<f64>, &[u8]) {
-    let Some(space) = line.iter().position(|&b| b == b' ') else { return (None, line) };
-    let time = std::str::from_utf8(&line[..space]).ok().and_then(|t| t.parse::<f64>().ok());
+    let Some(space) = line.iter().position(|&b| b == b' ') else {
+        return (None, line);
+    };
+    let time = std::str::from_utf8(&line[..space])
+        .ok()
+        .and_then(|t| t.parse::<f64>().ok());
     match (time, &line[space + 1..]) {
         (Some(time), [b'<' | b'>', b' ', rest @ ..]) if time.is_finite() => (Some(time), rest),
         _ => (None, line),
@@ -149,10 +173,20 @@ fn table(
     let explanation = explain(sentence);
     let (sum, sum_text) = match sentence.checksum {
         Checksum::Right(sum) => (GREEN, format!("checksum {sum:02X} right")),
-        Checksum::Wrong { computed, .. } => (RED, format!("checksum wrong, should be {computed:02X}")),
-        Checksum::Missing { computed } => (YELLOW, format!("no checksum, should be {computed:02X}")),
+        Checksum::Wrong { computed, .. } => {
+            (RED, format!("checksum wrong, should be {computed:02X}"))
+        }
+        Checksum::Missing { computed } => {
+            (YELLOW, format!("no checksum, should be {computed:02X}"))
+        }
     };
-    writeln!(out, "{}{number:>6}  {}{}", paint(DIM), safe(&latin1(sentence.raw)), paint(PLAIN))?;
+    writeln!(
+        out,
+        "{}{number:>6}  {}{}",
+        paint(DIM),
+        safe(&latin1(sentence.raw)),
+        paint(PLAIN)
+    )?;
     let at = at.or_else(|| sentence.tag.and_then(|tag| tag.time()));
     writeln!(
         out,
@@ -173,25 +207,53 @@ fn table(
         };
         let unit = field.unit.filter(|_| !field.raw.is_empty()).unwrap_or("");
         let name = field.name.to_string();
-        write!(out, "    {:>4}  {name:<28} {:>12} {unit:<8}", field.n, safe(&value))?;
+        write!(
+            out,
+            "    {:>4}  {name:<28} {:>12} {unit:<8}",
+            field.n,
+            safe(&value)
+        )?;
         match (&field.fault, field.meaning) {
             (Some(fault), _) => writeln!(out, " {}{fault}{}", paint(RED), paint(PLAIN))?,
             (None, Some(meaning)) => writeln!(out, " {meaning}")?,
             (None, None) => writeln!(out)?,
         }
     }
-    for fault in explanation.faults.iter().filter(|fault| fault.field.is_none()) {
-        writeln!(out, "          {}fault: {fault}{}", paint(RED), paint(PLAIN))?;
+    for fault in explanation
+        .faults
+        .iter()
+        .filter(|fault| fault.field.is_none())
+    {
+        writeln!(
+            out,
+            "          {}fault: {fault}{}",
+            paint(RED),
+            paint(PLAIN)
+        )?;
     }
     for hint in hints(sentence) {
-        writeln!(out, "          {}hint: {}{}", paint(YELLOW), safe(&hint), paint(PLAIN))?;
+        writeln!(
+            out,
+            "          {}hint: {}{}",
+            paint(YELLOW),
+            safe(&hint),
+            paint(PLAIN)
+        )?;
     }
     writeln!(out)
 }
 
 /// Control characters cannot reach the terminal.
 fn safe(text: &str) -> String {
-    text.chars().flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] }).collect()
+    text.chars()
+        .flat_map(|c| {
+            if c.is_control() {
+                c.escape_default().collect()
+            } else {
+                vec![c]
+            }
+        })
+        .collect()
 }
 
 /// How far a large file is read, on standard error where that is a terminal (CLI-5).
@@ -204,8 +266,14 @@ struct Progress {
 
 impl Progress {
     fn new(size: u64, quiet: bool) -> Self {
-        let on = !quiet && size > 1 << 20 && io::stderr().is_terminal() && !io::stdout().is_terminal();
-        Self { size, done: 0, shown: None, on }
+        let on =
+            !quiet && size > 1 << 20 && io::stderr().is_terminal() && !io::stdout().is_terminal();
+        Self {
+            size,
+            done: 0,
+            shown: None,
+            on,
+        }
     }
 
     fn advance(&mut self, bytes: usize, lines: u64) {
@@ -214,7 +282,10 @@ impl Progress {
             return;
         }
         let now = Instant::now();
-        if self.shown.is_none_or(|shown| now - shown > Duration::from_millis(200)) {
+        if self
+            .shown
+            .is_none_or(|shown| now - shown > Duration::from_millis(200))
+        {
             self.shown = Some(now);
             let percent = self.done * 100 / self.size.max(1);
             let _ = write!(io::stderr(), "\r{percent:>3} %  {lines} lines");
@@ -234,7 +305,11 @@ mod tests {
 
     fn check(input: &str, json: bool) -> (u64, String) {
         let mut out = Vec::new();
-        let form = Form { json, colour: false, quiet: true };
+        let form = Form {
+            json,
+            colour: false,
+            quiet: true,
+        };
         let valid = run(input.as_bytes(), 0, &mut out, form).expect("memory can be written");
         (valid, String::from_utf8(out).expect("text"))
     }
@@ -245,8 +320,16 @@ mod tests {
         assert_eq!(valid, 3);
         let lines: Vec<&str> = out.lines().collect();
         assert_eq!(lines.len(), 3);
-        assert!(lines[0].starts_with(r#"{"line":2,"at":12.25,"raw":"$PEMC,00*37","#), "{}", lines[0]);
-        assert!(lines[2].starts_with(r#"{"line":3,"at":null,"#), "{}", lines[2]);
+        assert!(
+            lines[0].starts_with(r#"{"line":2,"at":12.25,"raw":"$PEMC,00*37","#),
+            "{}",
+            lines[0]
+        );
+        assert!(
+            lines[2].starts_with(r#"{"line":3,"at":null,"#),
+            "{}",
+            lines[2]
+        );
     }
 
     #[test]

@@ -188,7 +188,14 @@ impl<'a> Sentence<'a> {
                     break;
                 }
                 let value = read(kind, &self.fields, at, faults);
-                item(Item { field: at + 1, kind, entry, index, in_tail, value });
+                item(Item {
+                    field: at + 1,
+                    kind,
+                    entry,
+                    index,
+                    in_tail,
+                    value,
+                });
                 at += kind.width();
             }
         };

@@ -99,7 +99,7 @@ impl Writer {
             Kind::Position(decimals) => self.position(*decimals, cell),
             Kind::Angle { degrees, decimals } => self.angle(*degrees, *decimals, cell),
             Kind::Hex(digits) => self.hex(*digits, cell),
-            Kind::Time | Kind::Date | Kind::Code(_) | Kind::Word(_) => self.plain(cell, 255),
+            Kind::Time | Kind::Date | Kind::Code(_) => self.plain(cell, 255),
             Kind::Text(limit) => self.plain(cell, *limit),
             Kind::Payload | Kind::Any => self.plain(cell, 255),
         }

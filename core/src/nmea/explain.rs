@@ -2,14 +2,15 @@
 
 pub use super::json::{json, json_line};
 
+use super::explain_text::{compass, side_meaning, unit_meaning};
 use super::fault::{Fault, FaultKind};
-use super::table::{Kind, MemberText, SentenceText, Sides};
+use super::read::read;
+use super::table::{Kind, MemberText, SentenceText};
 use super::tables::text;
-use super::value::{UtcTime, Value, degrees};
+use super::value::{UtcTime, Value};
 use super::{Date, Item, Sentence};
 use alloc::string::String;
 use alloc::vec::Vec;
-use core::fmt;
 
 /// A sentence explained.
 #[derive(Clone, Debug)]
@@ -66,7 +67,7 @@ pub enum FieldValue<'a> {
 
 /// Which part of a member a wire field is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
+pub(super) enum Part {
     Whole,
     Side,
     Unit,
@@ -79,36 +80,16 @@ enum Part {
 /// Name of a wire field: its member, its part and the entry of the group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Name {
-    member: &'static str,
-    part: Part,
-    entry: usize,
+    pub(super) member: &'static str,
+    pub(super) part: Part,
+    pub(super) entry: usize,
 }
 
-impl fmt::Display for Name {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let angle = match self.part {
-            Part::Whole | Part::Side | Part::Unit => None,
-            Part::Latitude | Part::LatitudeSide => Some("latitude"),
-            Part::Longitude | Part::LongitudeSide => Some("longitude"),
-        };
-        match angle {
-            Some(angle) if self.member == "position" => f.write_str(angle)?,
-            Some(angle) => write!(f, "{}_{angle}", self.member)?,
-            None => f.write_str(self.member)?,
-        }
-        match self.part {
-            Part::Side | Part::LatitudeSide | Part::LongitudeSide => f.write_str("_side")?,
-            Part::Unit => f.write_str("_unit")?,
-            _ => {}
-        }
-        if self.entry > 0 {
-            write!(f, "_{}", self.entry)?;
-        }
-        Ok(())
-    }
-}
-
-const NOTHING: MemberText = MemberText { name: "field", note: "", meanings: &[] };
+const NOTHING: MemberText = MemberText {
+    name: "field",
+    note: "",
+    meanings: &[],
+};
 
 /// Explains a sentence field by field; an unknown one gives its raw fields.
 #[must_use]
@@ -120,10 +101,18 @@ pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
     if let Some(definition) = sentence.known
         && definition.first() == 1
     {
-        fields.push(plain(sentence, 1, "sub_address", "Which sentence of this maker it is."));
+        fields.push(plain(
+            sentence,
+            1,
+            "sub_address",
+            "Which sentence of this maker it is.",
+        ));
     }
     if let Some(texts) = texts {
-        sentence.walk(|item| member(sentence, texts, &item, &mut fields), &mut faults);
+        sentence.walk(
+            |item| member(sentence, texts, &item, &mut fields),
+            &mut faults,
+        );
     }
     let (name, note) = match texts {
         Some(_) => ("extra", "More fields than any known edition has."),
@@ -148,13 +137,26 @@ pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
     }
 }
 
-fn plain<'a>(sentence: &Sentence<'a>, n: usize, name: &'static str, note: &'static str) -> Field<'a> {
+fn plain<'a>(
+    sentence: &Sentence<'a>,
+    n: usize,
+    name: &'static str,
+    note: &'static str,
+) -> Field<'a> {
     let raw = sentence.fields.get(n);
     Field {
         n,
-        name: Name { member: name, part: Part::Whole, entry: 0 },
+        name: Name {
+            member: name,
+            part: Part::Whole,
+            entry: 0,
+        },
         raw,
-        value: if raw.is_empty() { FieldValue::None } else { FieldValue::Text(raw) },
+        value: if raw.is_empty() {
+            FieldValue::None
+        } else {
+            FieldValue::Text(raw)
+        },
         unit: None,
         meaning: None,
         note,
@@ -177,9 +179,22 @@ fn member<'a>(
     let mut push = |offset: usize, part, value, unit, meaning| {
         let n = item.field + offset;
         if n <= sentence.fields.len() {
-            let name = Name { member: words.name, part, entry: item.entry };
+            let name = Name {
+                member: words.name,
+                part,
+                entry: item.entry,
+            };
             let raw = sentence.fields.get(n);
-            fields.push(Field { n, name, raw, value, unit, meaning, note: words.note, fault: None });
+            fields.push(Field {
+                n,
+                name,
+                raw,
+                value,
+                unit,
+                meaning,
+                note: words.note,
+                fault: None,
+            });
         }
     };
     let number = match item.value {
@@ -192,11 +207,23 @@ fn member<'a>(
     };
     match item.kind {
         Kind::Number(format) => push(0, Part::Whole, number, format.unit.name(), None),
-        Kind::Integer(format) => push(0, Part::Whole, integer(item.value), format.unit.name(), None),
+        Kind::Integer(format) => push(
+            0,
+            Part::Whole,
+            integer(item.value),
+            format.unit.name(),
+            None,
+        ),
         Kind::Lettered(format, _) => {
             push(0, Part::Whole, number, format.unit.name(), None);
             let (value, letter) = letter(1);
-            push(1, Part::Unit, value, None, unit_meaning(letter, format.unit.name()));
+            push(
+                1,
+                Part::Unit,
+                value,
+                None,
+                unit_meaning(letter, format.unit.name()),
+            );
         }
         Kind::Sided(format, sides) => {
             push(0, Part::Whole, number, format.unit.name(), None);
@@ -208,30 +235,39 @@ fn member<'a>(
             let (value, side) = letter(1);
             push(1, Part::Side, value, None, side_meaning(side, *sides));
             let (value, unit) = letter(2);
-            push(2, Part::Unit, value, None, unit_meaning(unit, format.unit.name()));
+            push(
+                2,
+                Part::Unit,
+                value,
+                None,
+                unit_meaning(unit, format.unit.name()),
+            );
         }
         Kind::Code(letters) => {
             let (value, meaning) = match item.value {
                 Value::Code(letter) => {
                     let at = letters.iter().position(|&l| l == letter);
-                    (FieldValue::Letter(letter), at.and_then(|at| words.meanings.get(at).copied()))
+                    (
+                        FieldValue::Letter(letter),
+                        at.and_then(|at| words.meanings.get(at).copied()),
+                    )
                 }
                 _ => (FieldValue::None, None),
             };
             push(0, Part::Whole, value, None, meaning);
         }
-        Kind::Word(list) => {
-            let at = list.iter().position(|w| w.as_bytes() == sentence.fields.get(item.field));
-            let meaning = at.and_then(|at| words.meanings.get(at).copied());
-            push(0, Part::Whole, typed(item.value), None, meaning);
-        }
         Kind::Position(_) => {
-            let (lat, lon) = match item.value {
-                Value::Position(lat, lon) => {
-                    (FieldValue::Number(degrees(lat)), FieldValue::Number(degrees(lon)))
-                }
-                _ => (FieldValue::None, FieldValue::None),
+            // Each half for itself: one may be right although the position is not.
+            let half = |offset, degrees| {
+                let kind = Kind::Angle {
+                    degrees,
+                    decimals: 0,
+                };
+                let at = item.field - 1 + offset;
+                let value = read(&kind, &sentence.fields, at, &mut Vec::new());
+                value.number().map_or(FieldValue::None, FieldValue::Number)
             };
+            let (lat, lon) = (half(0, 2), half(2, 3));
             let unit = Some("deg");
             push(0, Part::Latitude, lat, unit, None);
             let (value, side) = letter(1);
@@ -241,7 +277,10 @@ fn member<'a>(
             push(3, Part::LongitudeSide, value, None, compass(side));
         }
         Kind::Angle { .. } => {
-            let value = item.value.number().map_or(FieldValue::None, FieldValue::Number);
+            let value = item
+                .value
+                .number()
+                .map_or(FieldValue::None, FieldValue::Number);
             push(0, Part::Whole, value, Some("deg"), None);
             let (value, side) = letter(1);
             push(1, Part::Side, value, None, compass(side));
@@ -272,49 +311,13 @@ fn typed(value: Value<'_>) -> FieldValue<'_> {
     }
 }
 
-fn unit_meaning(letter: u8, unit: Option<&'static str>) -> Option<&'static str> {
-    Some(match (letter, unit) {
-        (b'T', _) => "true",
-        (b'M', Some("deg")) => "magnetic",
-        (b'N', Some("kn")) => "knots",
-        (b'N', Some("nm")) => "nautical miles",
-        (b'K', _) => "kilometres an hour",
-        (b'M', Some("m")) => "metres",
-        (b'M', Some("m/s")) => "metres a second",
-        (b'C', _) => "degrees Celsius",
-        (b'f', _) => "feet",
-        (b'F', _) => "fathoms",
-        (b'B', _) => "bars",
-        (b'I', _) => "inches of mercury",
-        _ => return None,
-    })
-}
-
-fn side_meaning(letter: u8, sides: Sides) -> Option<&'static str> {
-    Some(match (letter, sides) {
-        (b'L', Sides { positive: b'L', .. }) => "steer to port: the ship is right of the track",
-        (b'R', Sides { negative: b'R', .. }) => "steer to starboard: the ship is left of the track",
-        (b'L' | b'P', _) => "port",
-        (b'R' | b'S', _) => "starboard",
-        _ => return compass(letter),
-    })
-}
-
-const fn compass(letter: u8) -> Option<&'static str> {
-    Some(match letter {
-        b'N' => "north",
-        b'S' => "south",
-        b'E' => "east",
-        b'W' => "west",
-        _ => return None,
-    })
-}
-
 impl Explanation<'_> {
     /// The field with that name, such as `heading_to_steer`.
     #[must_use]
     pub fn field(&self, name: &str) -> Option<&Field<'_>> {
-        self.fields.iter().find(|f| f.name.part == Part::Whole && f.name.member == name)
+        self.fields
+            .iter()
+            .find(|f| f.name.part == Part::Whole && f.name.member == name)
     }
 }
 
@@ -326,7 +329,11 @@ impl<'a> Sentence<'a> {
         if let Some(texts) = self.known.and_then(text) {
             self.walk(
                 |item| {
-                    let list = if item.in_tail { texts.tail } else { texts.members };
+                    let list = if item.in_tail {
+                        texts.tail
+                    } else {
+                        texts.members
+                    };
                     if item.entry == 0 && list.get(item.index).is_some_and(|t| t.name == name) {
                         found = item.value;
                     }
@@ -335,36 +342,6 @@ impl<'a> Sentence<'a> {
             );
         }
         found
-    }
-}
-
-impl fmt::Display for FieldValue<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::None => Ok(()),
-            Self::Number(value) => value.fmt(f),
-            Self::Integer(value) => value.fmt(f),
-            Self::Letter(letter) => char::from(*letter).fmt(f),
-            Self::Text(text) => super::unescape(text).fmt(f),
-            Self::Time(time) => time.fmt(f),
-            Self::Date(date) => date.fmt(f),
-        }
-    }
-}
-
-impl fmt::Display for UtcTime {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (second, rest) = (self.centisecond / 100, self.centisecond % 100);
-        write!(f, "{:02}:{:02}:{second:02}", self.hour, self.minute)?;
-        if rest > 0 { write!(f, ".{rest:02}") } else { Ok(()) }
-    }
-}
-
-impl fmt::Display for Date {
-    /// The year is one of 1970 to 2069.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let century = if self.year >= 70 { 19 } else { 20 };
-        write!(f, "{century}{:02}-{:02}-{:02}", self.year, self.month, self.day)
     }
 }
 

@@ -15,10 +15,16 @@ pub fn hints(sentence: &Sentence<'_>) -> Vec<String> {
     if let Some(tag) = &sentence.tag
         && !tag.right
     {
-        out.push("the checksum of the TAG block is wrong or missing; the sentence stands for itself".into());
+        out.push(
+            "the checksum of the TAG block is wrong or missing; the sentence stands for itself"
+                .into(),
+        );
     }
     if sentence.known.is_none() && !sentence.address.is_empty() {
-        out.push(format!("{} is not in the dictionary; it is kept as it is", sentence.formatter));
+        out.push(format!(
+            "{} is not in the dictionary; it is kept as it is",
+            sentence.formatter
+        ));
     }
     short_htc(sentence, &mut out);
     frame(sentence, &mut out);
@@ -31,17 +37,37 @@ pub fn hints(sentence: &Sentence<'_>) -> Vec<String> {
 
 /// What the checksum should be is a fault; here is what may have happened to the line.
 fn checksum(sentence: &Sentence<'_>, out: &mut Vec<String>) {
-    let Checksum::Wrong { given: Some(given), computed } = sentence.checksum else { return };
+    let Checksum::Wrong {
+        given: Some(given),
+        computed,
+    } = sentence.checksum
+    else {
+        return;
+    };
     let difference = given ^ computed;
-    let short = sentence.faults().iter().any(|f| matches!(f.kind, FaultKind::FieldCount { .. }));
+    let short = sentence
+        .faults()
+        .iter()
+        .any(|f| matches!(f.kind, FaultKind::FieldCount { .. }));
     if difference == b',' && short {
         out.push("one lost comma explains the checksum and the number of fields".into());
         return;
     }
-    if sentence.fields.len() > 0 && (difference == b'.' || difference == b'-' || difference.is_ascii_digit()) {
-        out.push(format!("one lost '{}' would explain the checksum", char::from(difference)));
+    if sentence.fields.len() > 0
+        && (difference == b'.' || difference == b'-' || difference.is_ascii_digit())
+    {
+        out.push(format!(
+            "one lost '{}' would explain the checksum",
+            char::from(difference)
+        ));
     }
-    let Some(body) = sentence.text.get(1..).and_then(|t| t.split(|&b| b == b'*').next()) else { return };
+    let Some(body) = sentence
+        .text
+        .get(1..)
+        .and_then(|t| t.split(|&b| b == b'*').next())
+    else {
+        return;
+    };
     let mut field = 0;
     let mut places: Vec<String> = Vec::new();
     for &byte in body {
@@ -54,13 +80,22 @@ fn checksum(sentence: &Sentence<'_>, out: &mut Vec<String>) {
             || (byte.is_ascii_uppercase() && before.is_ascii_uppercase())
             || (!byte.is_ascii() && before.is_ascii_graphic());
         if alike {
-            places.push(format!("'{}' for '{}' in field {field}", char::from(before), char::from(byte)));
+            places.push(format!(
+                "'{}' for '{}' in field {field}",
+                char::from(before),
+                char::from(byte)
+            ));
         }
     }
     match places.len() {
         0 => {}
-        1..=3 => out.push(format!("one changed character would explain the checksum: {}", places.join(", or "))),
-        n => out.push(format!("one changed character would explain the checksum, at {n} places")),
+        1..=3 => out.push(format!(
+            "one changed character would explain the checksum: {}",
+            places.join(", or ")
+        )),
+        n => out.push(format!(
+            "one changed character would explain the checksum, at {n} places"
+        )),
     }
 }
 
@@ -71,7 +106,8 @@ fn short_htc(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         return;
     }
     let plain_thirteen = count == 13
-        && (sentence.fields.get(12).is_empty() || Decimal::parse(sentence.fields.get(12)).is_some());
+        && (sentence.fields.get(12).is_empty()
+            || Decimal::parse(sentence.fields.get(12)).is_some());
     if plain_thirteen {
         out.push("13 fields: the status is missing; it counts as null".into());
         return;
@@ -86,7 +122,9 @@ fn short_htc(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         let text: Vec<String> = fields.iter().map(|f| super::explain::latin1(f)).collect();
         let line = with_checksum(&format!("{},{}", sentence.address, text.join(",")));
         let other = super::decode(line.as_bytes());
-        let Some(htc) = Htc::from_sentence(&other) else { continue };
+        let Some(htc) = Htc::from_sentence(&other) else {
+            continue;
+        };
         if other.faults().is_empty() {
             let score = plausibility(&htc);
             if best.as_ref().is_none_or(|(most, ..)| score > *most) {
@@ -97,21 +135,54 @@ fn short_htc(sentence: &Sentence<'_>, out: &mut Vec<String>) {
     let Some((_, before, htc)) = best else { return };
     let position: Vec<String> = (8..=12)
         .filter(|&n| !sentence.fields.get(n).is_empty())
-        .map(|n| format!("{} {}", NAMES[n - 8], super::explain::latin1(sentence.fields.get(n))))
+        .map(|n| {
+            format!(
+                "{} {}",
+                NAMES[n - 8],
+                super::explain::latin1(sentence.fields.get(n))
+            )
+        })
         .collect();
-    let position = if position.is_empty() { "nothing".into() } else { position.join(", ") };
-    let values = [htc.radius, htc.rate_of_turn, htc.heading_to_steer, htc.off_track_limit, htc.track];
-    let meant: Vec<String> =
-        values.iter().zip(NAMES).filter_map(|(v, name)| v.map(|v| format!("{name} {v}"))).collect();
-    let meant = if meant.is_empty() { "no values".into() } else { meant.join(", ") };
+    let position = if position.is_empty() {
+        "nothing".into()
+    } else {
+        position.join(", ")
+    };
+    let values = [
+        htc.radius,
+        htc.rate_of_turn,
+        htc.heading_to_steer,
+        htc.off_track_limit,
+        htc.track,
+    ];
+    let meant: Vec<String> = values
+        .iter()
+        .zip(NAMES)
+        .filter_map(|(v, name)| v.map(|v| format!("{name} {v}")))
+        .collect();
+    let meant = if meant.is_empty() {
+        "no values".into()
+    } else {
+        meant.join(", ")
+    };
     let last = before + missing - 1;
-    let null = if missing == 1 { format!("null field {before}") } else { format!("null fields {before} to {last}") };
+    let null = if missing == 1 {
+        format!("null field {before}")
+    } else {
+        format!("null fields {before} to {last}")
+    };
     out.push(format!(
         "{count} of 14 fields: by position it says {position}; with the missing {null} it says {meant}; never used for steering"
     ));
 }
 
-const NAMES: [&str; 5] = ["radius", "rate of turn", "heading to steer", "off-track limit", "track"];
+const NAMES: [&str; 5] = [
+    "radius",
+    "rate of turn",
+    "heading to steer",
+    "off-track limit",
+    "track",
+];
 
 /// How well an HTC fits the dialogue (interface, sections 2 and 4).
 fn plausibility(htc: &Htc) -> u32 {
@@ -124,14 +195,18 @@ fn plausibility(htc: &Htc) -> u32 {
         + u32::from(htc.track.is_some() == (tn || ti)) * 4
         + u32::from(htc.heading_to_steer.is_some() == tn) * 2
         + u32::from(ti || htc.radius.is_none()) * 2
-        + u32::from(htc.rate_of_turn.is_none() || (tn && htc.turn_mode != Some(TurnMode::Radius))) * 2
+        + u32::from(htc.rate_of_turn.is_none() || (tn && htc.turn_mode != Some(TurnMode::Radius)))
+            * 2
 }
 
 fn frame(sentence: &Sentence<'_>, out: &mut Vec<String>) {
     let count = sentence.fields.len();
     if let Some(definition) = sentence.known
         && definition.group.is_none()
-        && definition.lengths.iter().all(|&length| usize::from(length) < count)
+        && definition
+            .lengths
+            .iter()
+            .all(|&length| usize::from(length) < count)
         && sentence.fields.get(count).is_empty()
     {
         out.push("an empty field stands at the end; some makers print one".into());
@@ -142,9 +217,15 @@ fn frame(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         out.push("the checksum is written in lower case".into());
     }
     if let Some(definition) = sentence.known
-        && sentence.text.first().is_some_and(|&b| b != definition.delimiter)
+        && sentence
+            .text
+            .first()
+            .is_some_and(|&b| b != definition.delimiter)
     {
-        out.push(format!("should begin with {}", char::from(definition.delimiter)));
+        out.push(format!(
+            "should begin with {}",
+            char::from(definition.delimiter)
+        ));
     }
 }
 
@@ -155,7 +236,9 @@ fn speeds(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         _ => return,
     };
     let parse = |n: usize| Decimal::parse(sentence.fields.get(n));
-    let (Some(knots), Some(kmh)) = (parse(first), parse(first + 2)) else { return };
+    let (Some(knots), Some(kmh)) = (parse(first), parse(first + 2)) else {
+        return;
+    };
     let half = |d: Decimal| 0.55 / libm::pow(10.0, f64::from(d.scale()));
     let expected = knots.value() * 1.852;
     if libm::fabs(expected - kmh.value()) > half(knots) * 1.852 + half(kmh) {
@@ -202,7 +285,10 @@ fn talker(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         _ => return,
     };
     if !sentence.talker.is_empty() && !expected.contains(&sentence.talker) {
-        out.push(format!("{} from talker {} is unusual", sentence.formatter, sentence.talker));
+        out.push(format!(
+            "{} from talker {} is unusual",
+            sentence.formatter, sentence.talker
+        ));
     }
     if sentence.formatter == "HDT" && sentence.talker == "HC" {
         out.push("a true heading from a magnetic compass needs its variation".into());
@@ -235,6 +321,8 @@ fn device_ranges(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         _ => return,
     };
     if number(alert).is_some_and(|id| id > 999.0 && !(10_001.0..=10_999.0).contains(&id)) {
-        out.push(format!("field {alert}: Furuno devices use 999 and 10001 to 10999"));
+        out.push(format!(
+            "field {alert}: Furuno devices use 999 and 10001 to 10999"
+        ));
     }
 }

@@ -107,7 +107,10 @@ pub struct JsonFault {
 pub fn json_line(line: u64, at: Option<f64>, sentence: &Sentence<'_>) -> JsonLine {
     let explanation = explain(sentence);
     let given = match sentence.checksum {
-        Checksum::Right(sum) | Checksum::Wrong { given: Some(sum), .. } => Some(hex(sum)),
+        Checksum::Right(sum)
+        | Checksum::Wrong {
+            given: Some(sum), ..
+        } => Some(hex(sum)),
         Checksum::Wrong { given: None, .. } => {
             let star = sentence.text.iter().position(|&b| b == b'*');
             star.map(|star| latin1(&sentence.text[star + 1..]))
@@ -122,12 +125,19 @@ pub fn json_line(line: u64, at: Option<f64>, sentence: &Sentence<'_>) -> JsonLin
         talker: sentence.talker.to_string(),
         sentence: sentence.formatter.to_string(),
         title: explanation.title,
-        checksum: JsonChecksum { given, computed: hex(sentence.checksum.computed()) },
+        checksum: JsonChecksum {
+            given,
+            computed: hex(sentence.checksum.computed()),
+        },
         hints: hints(sentence),
         faults: explanation
             .faults
             .iter()
-            .map(|f| JsonFault { n: f.field, kind: f.kind.name(), text: f.text() })
+            .map(|f| JsonFault {
+                n: f.field,
+                kind: f.kind.name(),
+                text: f.text(),
+            })
             .collect(),
         fields: explanation.fields.iter().map(field).collect(),
         message: None,

@@ -37,16 +37,6 @@ pub(crate) fn read<'a>(
         Kind::Time => time(fields.at(at), at, faults),
         Kind::Date => date(fields.at(at), at, faults),
         Kind::Text(limit) => text(fields.at(at), *limit, at, faults),
-        Kind::Word(words) => {
-            let field = fields.at(at);
-            if field.is_empty() {
-                Value::Null
-            } else if words.iter().any(|word| word.as_bytes() == field) {
-                Value::Text(field)
-            } else {
-                fault(faults, at, FaultKind::UnknownCode)
-            }
-        }
         Kind::Angle { degrees, .. } => single_angle(fields, *degrees, at, faults),
         Kind::Hex(_) => hex(fields.at(at), at, faults),
         Kind::Payload => payload(fields.at(at), at, faults),

@@ -2,7 +2,8 @@
 
 use crate::nmea::codes::codes;
 use crate::nmea::formats::*;
-use crate::nmea::table::{definition, kind, meanings, sentences, view, view_type};
+use crate::nmea::macros::{definition, kind, meanings, sentences, view, view_type};
+use crate::nmea::table::{Format, Unit};
 use serde::{Deserialize, Serialize};
 
 codes! {
@@ -12,6 +13,8 @@ codes! {
     }
 }
 
+const DRAUGHT: Format = Format::new(Unit::Metres, 0, 25, 1, 1);
+
 sentences! {
     vdm as Vdm = "VDM" b'!' [6] "AIS VHF data-link message", "IEC 61162-1 VDM; Furuno AP-11" {
         total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
@@ -20,5 +23,142 @@ sentences! {
         channel: code(AisChannel) "Channel on which it was heard.",
         payload: payload() "Encapsulated message of ITU-R M.1371.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
+    }
+    vdo as Vdo = "VDO" b'!' [6] "AIS VHF data-link own-vessel report", "IEC 61162-1 VDO; Furuno AP-11" {
+        total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
+        number: integer(whole(1, 9, 1)) "Number of this sentence.",
+        sequence: integer(whole(0, 9, 1)) "Identifier that joins them.",
+        channel: code(AisChannel) "Channel; null where it was not sent by radio.",
+        payload: payload() "Encapsulated message of ITU-R M.1371.",
+        fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
+    }
+    abm as Abm = "ABM" b'!' [8] "AIS addressed binary and safety-related message", "IEC 61162-1 ABM; Furuno AP-13" {
+        total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
+        number: integer(whole(1, 9, 1)) "Number of this sentence.",
+        sequence: integer(whole(0, 3, 1)) "Identifier of the message.",
+        mmsi: integer(MMSI) "Station that is addressed.",
+        channel: integer(whole(0, 3, 1)) "Channel for the broadcast.",
+        message: number(SIZE) "Number of the radio message, 6 or 12.",
+        payload: payload() "Encapsulated data.",
+        fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
+    }
+    bbm as Bbm = "BBM" b'!' [7] "AIS broadcast binary message", "IEC 61162-1 BBM; Furuno AP-13" {
+        total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
+        number: integer(whole(1, 9, 1)) "Number of this sentence.",
+        sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
+        channel: integer(whole(0, 3, 1)) "Channel for the broadcast.",
+        message: number(SIZE) "Number of the radio message, 8 or 14.",
+        payload: payload() "Encapsulated data.",
+        fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
+    }
+    vsd as Vsd = "VSD" b'$' [9] "AIS voyage static data", "IEC 61162-1 VSD; Furuno AP-15" {
+        ship_type: integer(whole(0, 255, 1)) "Type of ship and cargo.",
+        draught: number(DRAUGHT) "Greatest present static draught.",
+        persons: integer(whole(0, 8191, 1)) "Persons on board.",
+        destination: text(20) "Destination.",
+        arrival_time: time() "Estimated UTC of arrival.",
+        arrival_day: integer(whole(0, 31, 2)) "Day of arrival.",
+        arrival_month: integer(whole(0, 12, 2)) "Month of arrival.",
+        status: integer(whole(0, 15, 1)) "Navigational status of ITU-R M.1371.",
+        flags: integer(whole(0, 15, 1)) "Regional application flags.",
+    }
+    ssd = "SSD" b'$' [8] "AIS ship static data", "IEC 61162-1 SSD" {
+        call_sign: text(7) "Call sign.",
+        name: text(20) "Name of the ship.",
+        bow: integer(whole(0, 511, 3)) "From the reference point to the bow, metres.",
+        stern: integer(whole(0, 511, 3)) "To the stern, metres.",
+        port: integer(whole(0, 63, 2)) "To port, metres.",
+        starboard: integer(whole(0, 63, 2)) "To starboard, metres.",
+        dte: integer(whole(0, 1, 1)) "0: keyboard and display are there.",
+        source: text(2) "Source of the data.",
+    }
+    abk = "ABK" b'$' [5] "AIS addressed and binary broadcast acknowledgement", "IEC 61162-1 ABK" {
+        mmsi: integer(MMSI) "Station that was addressed.",
+        channel: code(AisChannel) "Channel of the reception.",
+        message: number(SIZE) "Number of the radio message.",
+        sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
+        kind: integer(whole(0, 9, 1)) "Type of the acknowledgement.",
+    }
+    acs = "ACS" b'$' [6] "AIS channel management information source", "IEC 61162-1 ACS" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        mmsi: integer(MMSI) "Originator.",
+        time: time() "UTC of the receipt.",
+        day: integer(whole(1, 31, 2)) "Day.",
+        month: integer(whole(1, 12, 2)) "Month.",
+        year: integer(whole(0, 9999, 4)) "Year.",
+    }
+    aca = "ACA" b'$' [19] "AIS channel assignment", "IEC 61162-1 ACA" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        north_east: position(2) "North-east corner of the region.",
+        south_west: position(2) "South-west corner of the region.",
+        transition: integer(whole(1, 8, 1)) "Transition zone, nautical miles.",
+        channel_a: integer(whole(0, 9999, 4)) "Channel A.",
+        bandwidth_a: integer(whole(0, 1, 1)) "Its bandwidth.",
+        channel_b: integer(whole(0, 9999, 4)) "Channel B.",
+        bandwidth_b: integer(whole(0, 1, 1)) "Its bandwidth.",
+        mode: integer(whole(0, 9, 1)) "Transmit and receive mode.",
+        power: integer(whole(0, 1, 1)) "Power level.",
+        source: text(1) "Source of the information.",
+        in_use: integer(whole(0, 1, 1)) "In use.",
+        changed: time() "When that changed.",
+    }
+    air = "AIR" b'$' [8, 12] "AIS interrogation request", "IEC 61162-1 AIR" {
+        mmsi_1: integer(MMSI) "First station.",
+        message_1: number(SIZE) "Message asked of it.",
+        section_1: integer(whole(0, 99, 1)) "Its sub-section.",
+        message_2: number(SIZE) "Second message asked of it.",
+        section_2: integer(whole(0, 99, 1)) "Its sub-section.",
+        mmsi_2: integer(MMSI) "Second station.",
+        message_3: number(SIZE) "Message asked of it.",
+        section_3: integer(whole(0, 99, 1)) "Its sub-section.",
+        channel: text(1) "Channel, since the edition of 2018.",
+        identifier_1: text(10) "First message identifier, since the edition of 2018.",
+        identifier_2: text(10) "Second message identifier, since the edition of 2018.",
+        identifier_3: text(10) "Third message identifier, since the edition of 2018.",
+    }
+    lr1 = "LR1" b'$' [6] "AIS long-range reply sentence 1", "IEC 61162-1 LR1" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        responder: integer(MMSI) "Who answers.",
+        requestor: integer(MMSI) "Who asked.",
+        name: text(20) "Name of the ship.",
+        call_sign: text(7) "Call sign.",
+        imo: integer(whole(0, 999_999_999, 9)) "IMO number.",
+    }
+    lr2 = "LR2" b'$' [12] "AIS long-range reply sentence 2", "IEC 61162-1 LR2" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        responder: integer(MMSI) "Who answers.",
+        date: text(8) "Date, ddmmyyyy.",
+        time: time() "UTC of the position.",
+        position: position(2) "Position.",
+        course: lettered(DIRECTION, b'T') "Course over ground.",
+        speed: lettered(KNOTS, b'N') "Speed over ground.",
+    }
+    lr3 = "LR3" b'$' [11] "AIS long-range reply sentence 3", "IEC 61162-1 LR3" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        responder: integer(MMSI) "Who answers.",
+        destination: text(20) "Destination.",
+        arrival_date: text(6) "Date of arrival, ddmmyy.",
+        arrival_time: time() "Time of arrival.",
+        draught: number(DRAUGHT) "Draught.",
+        cargo: text(10) "Ship and cargo.",
+        length: number(SIZE) "Length, metres.",
+        breadth: number(SIZE) "Breadth, metres.",
+        ship_type: text(10) "Type of ship.",
+        persons: integer(whole(0, 8191, 1)) "Persons on board.",
+    }
+    lrf = "LRF" b'$' [5, 4] "AIS long-range function", "IEC 61162-1 LRF" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        mmsi: integer(MMSI) "Who asks.",
+        name: text(20) "Name of who asks.",
+        functions: text(26) "Functions that are asked for.",
+        status: text(26) "What is answered.",
+    }
+    lri = "LRI" b'$' [12] "AIS long-range interrogation", "IEC 61162-1 LRI" {
+        sequence: integer(whole(0, 9, 1)) "Identifier.",
+        control: integer(whole(0, 1, 1)) "Control flag.",
+        requestor: integer(MMSI) "Who asks.",
+        destination: integer(MMSI) "Who is asked.",
+        north_east: position(2) "North-east corner of the area.",
+        south_west: position(2) "South-west corner of the area.",
     }
 }

@@ -2,7 +2,24 @@
 
 use crate::nmea::codes::*;
 use crate::nmea::formats::*;
-use crate::nmea::table::{definition, kind, meanings, sentences, view, view_type};
+use crate::nmea::macros::{definition, kind, meanings, sentences, view, view_type};
+
+use serde::{Deserialize, Serialize};
+
+codes! {
+    /// Condition of an ALA alarm.
+    DetailedCondition {
+        Normal = b'N' "normal state", High = b'H' "alarm state, threshold exceeded", ExtremeHigh = b'J' "alarm state, extreme threshold exceeded",
+        Low = b'L' "alarm state, low threshold not reached", ExtremeLow = b'K' "alarm state, extreme low threshold not reached", Other = b'X' "other",
+    }
+    /// Acknowledge state of an ALA alarm.
+    DetailedAcknowledge {
+        Acknowledged = b'A' "acknowledged", NotAcknowledged = b'V' "not acknowledged", Broadcast = b'B' "broadcast, acknowledgement not applicable",
+        Harbour = b'H' "harbour mode", Override = b'O' "override",
+    }
+    /// Status of equipment.
+    EquipmentStatus { Normal = b'A' "normal", Failed = b'V' "system fail" }
+}
 
 sentences! {
     alr as Alr = "ALR" b'$' [5] "Set alarm state", "IEC 61162-1 ALR; Navis A.7" {
@@ -14,6 +31,48 @@ sentences! {
     }
     ack as Ack = "ACK" b'$' [1] "Acknowledge alarm", "IEC 61162-1 ACK; Furuno AP-10" {
         number: integer(whole(0, 99999, 3)) "Number of the alarm that is acknowledged.",
+    }
+    ala as Ala = "ALA" b'$' [8] "Report detailed alarm condition", "IEC 61162-1 ALA; Navis A.8" {
+        time: time() "Event time; null from this autopilot.",
+        system: text(2) "System of the alarm source; always OT, other systems.",
+        subsystem: text(2) "Subsystem of the alarm source; always JP, joystick and autopilot.",
+        instance: integer(whole(0, 99, 2)) "00 standby, 01 autopilot, 02 joystick (never sent), 03 installation menu.",
+        number: integer(whole(0, 999, 3)) "Number of the alarm.",
+        condition: code(DetailedCondition) "Condition; N and H are sent.",
+        acknowledged: code(DetailedAcknowledge) "Acknowledge state; A and V are sent.",
+        text: text(40) "Description; null from this autopilot.",
+    }
+    arc as Arc = "ARC" b'$' [5] "Alert command refused", "IEC 61162-1 ARC; Furuno AP-13" {
+        time: time() "Time of the refusal.",
+        manufacturer: text(3) "Manufacturer of a proprietary alert.",
+        alert: integer(whole(0, 9_999_999, 1)) "Alert identifier.",
+        instance: integer(whole(0, 999_999, 1)) "Alert instance.",
+        command: code(AlertCommand) "The command that was refused.",
+    }
+    acn as Acn = "ACN" b'$' [6] "Alert command", "IEC 61162-1 ACN" {
+        time: time() "Time of the command.",
+        manufacturer: text(3) "Manufacturer of a proprietary alert.",
+        alert: integer(whole(0, 9_999_999, 1)) "Alert identifier.",
+        instance: integer(whole(0, 999_999, 1)) "Alert instance.",
+        command: code(AlertCommand) "What is asked.",
+        status: code(CommandStatus) "Sentence status; C.",
+    }
+    hbt as Hbt = "HBT" b'$' [3] "Heartbeat supervision sentence", "IEC 61162-1 HBT; Furuno AP-10" {
+        interval: number(SECONDS) "Configured repeat interval.",
+        status: code(EquipmentStatus) "Equipment status.",
+        sequence: integer(whole(0, 9, 1)) "Counts from 0 to 9.",
+    }
+    eve as Eve = "EVE" b'$' [3] "General event message", "IEC 61162-1 EVE; Furuno AP-13" {
+        time: time() "Event time.",
+        tag: text(6) "Source of the event, such as EI0001.",
+        text: text(60) "Description, such as OPERATION.",
+    }
+    nak = "NAK" b'$' [5] "Negative acknowledgement", "IEC 61162-1 NAK" {
+        talker: text(2) "Talker that is answered.",
+        formatter: text(3) "Sentence that is refused.",
+        identifier: text(15) "Unique identifier.",
+        reason: integer(whole(0, 99, 1)) "Reason code.",
+        text: text(60) "Description.",
     }
     alc as Alc = "ALC" b'$' [] "Cyclic alert list", "IEC 61162-1 ALC; Furuno AP-12" {
         total: integer(whole(1, 99, 2)) "Number of sentences of this list.",

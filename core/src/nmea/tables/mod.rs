@@ -12,7 +12,10 @@ macro_rules! subjects {
     };
 }
 
-subjects! { steering, sensors, position, alerts, ais, proprietary }
+subjects! {
+    steering, sensors, weather, position, route, alerts, ais, radar, machinery, communication,
+    proprietary
+}
 
 static ALL: [&Definition; COUNT] = {
     let mut all = [LISTS[0][0]; COUNT];

@@ -2,7 +2,8 @@
 
 use crate::nmea::codes::*;
 use crate::nmea::formats::*;
-use crate::nmea::table::{definition, kind, meanings, sentences, view, view_type};
+use crate::nmea::macros::{definition, kind, meanings, sentences, view, view_type};
+
 
 sentences! {
     htc as Htc = "HTC" b'$' [14, 13] "Heading/track control command", "IEC 61162-1 HTC; Navis A.20; Furuno RD-50 AP-9" {

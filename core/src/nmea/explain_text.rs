@@ -1,0 +1,108 @@
+//! Names, values and meanings of an explanation as text.
+
+use super::explain::{FieldValue, Name, Part};
+use super::table::Sides;
+use super::{Date, UtcTime};
+use core::fmt;
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let angle = match self.part {
+            Part::Whole | Part::Side | Part::Unit => None,
+            Part::Latitude | Part::LatitudeSide => Some("latitude"),
+            Part::Longitude | Part::LongitudeSide => Some("longitude"),
+        };
+        match angle {
+            Some(angle) if self.member == "position" => f.write_str(angle)?,
+            Some(angle) => write!(f, "{}_{angle}", self.member)?,
+            // The document's word is a keyword of the language.
+            None if self.member == "override_status" => f.write_str("override")?,
+            None => f.write_str(self.member)?,
+        }
+        match self.part {
+            Part::Side | Part::LatitudeSide | Part::LongitudeSide => f.write_str("_side")?,
+            Part::Unit => f.write_str("_unit")?,
+            _ => {}
+        }
+        if self.entry > 0 {
+            write!(f, "_{}", self.entry)?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for FieldValue<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => Ok(()),
+            Self::Number(value) => value.fmt(f),
+            Self::Integer(value) => value.fmt(f),
+            Self::Letter(letter) => char::from(*letter).fmt(f),
+            Self::Text(text) => super::unescape(text).fmt(f),
+            Self::Time(time) => time.fmt(f),
+            Self::Date(date) => date.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for UtcTime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (second, rest) = (self.centisecond / 100, self.centisecond % 100);
+        write!(f, "{:02}:{:02}:{second:02}", self.hour, self.minute)?;
+        if rest > 0 {
+            write!(f, ".{rest:02}")
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl fmt::Display for Date {
+    /// The year is one of 1970 to 2069.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let century = if self.year >= 70 { 19 } else { 20 };
+        write!(
+            f,
+            "{century}{:02}-{:02}-{:02}",
+            self.year, self.month, self.day
+        )
+    }
+}
+
+pub(super) fn unit_meaning(letter: u8, unit: Option<&'static str>) -> Option<&'static str> {
+    Some(match (letter, unit) {
+        (b'T', _) => "true",
+        (b'M', Some("deg")) => "magnetic",
+        (b'N', Some("kn")) => "knots",
+        (b'N', Some("nm")) => "nautical miles",
+        (b'K', _) => "kilometres an hour",
+        (b'M', Some("m")) => "metres",
+        (b'M', Some("m/s")) => "metres a second",
+        (b'C', _) => "degrees Celsius",
+        (b'f', _) => "feet",
+        (b'F', _) => "fathoms",
+        (b'B', _) => "bars",
+        (b'I', _) => "inches of mercury",
+        _ => return None,
+    })
+}
+
+pub(super) fn side_meaning(letter: u8, sides: Sides) -> Option<&'static str> {
+    Some(match (letter, sides) {
+        (b'L', Sides { positive: b'L', .. }) => "steer to port: the ship is right of the track",
+        (b'R', Sides { negative: b'R', .. }) => "steer to starboard: the ship is left of the track",
+        (b'L' | b'P', _) => "port",
+        (b'R' | b'S', _) => "starboard",
+        _ => return compass(letter),
+    })
+}
+
+pub(super) const fn compass(letter: u8) -> Option<&'static str> {
+    Some(match letter {
+        b'N' => "north",
+        b'S' => "south",
+        b'E' => "east",
+        b'W' => "west",
+        _ => return None,
+    })
+}
