@@ -1,0 +1,185 @@
+//! The controls: STANDBY at one press; AUTO, its heading and AutoNAV by press and confirm; the reason for the mode.
+
+use crate::deck::Deck;
+use crate::link::wall;
+use crate::{format, top};
+use leptos::prelude::*;
+use wheelover_core::stream::{Do, ModeName, ModeRequest, Own};
+
+/// A press waits so long for its confirmation, milliseconds on the wall.
+const CONFIRM: f64 = 8_000.0;
+
+/// What a press asks for, until it is confirmed.
+#[derive(Clone, Debug, PartialEq)]
+enum Armed {
+    Auto,
+    Autonav,
+    Turn(f64),
+}
+
+impl Armed {
+    fn action(&self) -> Do {
+        match self {
+            Self::Auto => Do::Mode(ModeRequest::Auto),
+            Self::Autonav => Do::Mode(ModeRequest::Autonav),
+            Self::Turn(degrees) => Do::AdjustHeading(*degrees),
+        }
+    }
+
+    fn words(&self, set: Option<f64>) -> String {
+        match self {
+            Self::Auto => "CONFIRM AUTO".to_owned(),
+            Self::Autonav => "CONFIRM AutoNAV".to_owned(),
+            Self::Turn(degrees) => match set {
+                Some(set) => format!("CONFIRM {}°", format::direction(Some(set + degrees))),
+                None => format!("CONFIRM {}°", format::sided(Some(*degrees), 0)),
+            },
+        }
+    }
+}
+
+/// The control bar.
+#[component]
+pub(super) fn Control() -> impl IntoView {
+    let deck = Deck::here();
+    let armed = RwSignal::new(None::<(Armed, f64)>);
+    let own = Memo::new(move |_| deck.own.with(|own| own.as_ref().and_then(|s| s.own.clone())));
+    let mode = Memo::new(move |_| own.with(|own| own.as_ref().map(|own| own.mode)));
+    let set = Memo::new(move |_| own.with(|own| own.as_ref().and_then(|own| own.set_heading)));
+    let may = Memo::new(move |_| deck.greeting.with(|g| g.as_ref().is_some_and(|g| g.may_command)));
+    // A press that is not confirmed lapses.
+    Effect::new(move |_| {
+        deck.readings.track();
+        if armed.with_untracked(|armed| armed.as_ref().is_some_and(|(_, until)| wall() > *until)) {
+            armed.set(None);
+        }
+    });
+    let arm = move |what: Armed| armed.set(Some((what, wall() + CONFIRM)));
+    let nudge = move |degrees: f64| {
+        let before = match armed.get_untracked() {
+            Some((Armed::Turn(sum), _)) => sum,
+            _ => 0.0,
+        };
+        arm(Armed::Turn(before + degrees));
+    };
+    let confirm = move |_| {
+        if let Some((what, _)) = armed.get_untracked() {
+            deck.command("confirm", what.action());
+        }
+        armed.set(None);
+    };
+    let is_armed = Memo::new(move |_| armed.with(Option::is_some));
+    let left = move || {
+        deck.readings.track();
+        armed.with(|armed| {
+            armed.as_ref().map_or_else(String::new, |(what, until)| {
+                let seconds = ((until - wall()) / 1_000.0).max(0.0);
+                format!("{} ({seconds:.0})", what.words(set.get()))
+            })
+        })
+    };
+    let pending = Memo::new(move |_| {
+        let now = deck.readings.with(|r| r.now.0);
+        own.with(|own| {
+            let pending = own.as_ref()?.pending.as_ref()?;
+            let seconds = pending.until.saturating_sub(now).div_ceil(1_000);
+            Some(format!("{}: {seconds} s, {}", top::mode_title(pending.request), pending.waits_for))
+        })
+    });
+    let adjust = move |name: &'static str, text: &'static str, degrees: f64| {
+        view! {
+            <button type="button" data-command=name disabled=move || !may.get() on:click=move |_| nudge(degrees)>
+                {text}
+            </button>
+        }
+    };
+    view! {
+        <div class="bar control">
+            <button
+                type="button"
+                class="standby"
+                data-command="standby"
+                aria-pressed=move || pressed(mode.get() == Some(ModeName::Standby))
+                disabled=move || !may.get()
+                on:click=move |_| {
+                    armed.set(None);
+                    deck.command("standby", Do::Mode(ModeRequest::Standby));
+                }
+            >
+                "STANDBY"
+            </button>
+            <button
+                type="button"
+                data-command="auto"
+                aria-pressed=move || pressed(mode.get() == Some(ModeName::Auto))
+                disabled=move || !may.get()
+                on:click=move |_| arm(Armed::Auto)
+            >
+                "AUTO"
+            </button>
+            <button
+                type="button"
+                data-command="autonav"
+                aria-pressed=move || {
+                    pressed(matches!(mode.get(), Some(ModeName::AutonavTi | ModeName::AutonavTn)))
+                }
+                disabled=move || !may.get()
+                on:click=move |_| arm(Armed::Autonav)
+            >
+                "AutoNAV"
+            </button>
+            {adjust("adjust-10", "−10", -10.0)}
+            {adjust("adjust-1", "−1", -1.0)}
+            <span class="caption">"SET HDG "<b data-value="set-heading">{move || format::direction(set.get())}</b></span>
+            {adjust("adjust+1", "+1", 1.0)}
+            {adjust("adjust+10", "+10", 10.0)}
+            <button
+                type="button"
+                class="confirm"
+                class:hidden=move || !is_armed.get()
+                data-command="confirm"
+                on:click=confirm
+            >
+                {left}
+            </button>
+            <button
+                type="button"
+                data-command="cancel"
+                class:hidden=move || !is_armed.get() && pending.with(Option::is_none)
+                on:click=move |_| {
+                    if armed.get_untracked().is_some() {
+                        armed.set(None);
+                    } else {
+                        deck.command("cancel", Do::Mode(ModeRequest::Cancel));
+                    }
+                }
+            >
+                "✕"
+            </button>
+            <p class="why" role="status" class:hidden=move || is_armed.get()>
+                <b class="pending" data-value="pending">{move || pending.get()}</b>
+                <span data-value="why">{move || why(deck, &own)}</span>
+            </p>
+        </div>
+    }
+}
+
+const fn pressed(on: bool) -> &'static str {
+    if on { "true" } else { "false" }
+}
+
+/// The reason for the mode; a refusal of this page's last command stands before it.
+fn why(deck: Deck, own: &Memo<Option<Own>>) -> String {
+    let busy = deck.asked.with(|asked| !asked.is_empty());
+    if busy {
+        return "asked, waiting for the answer".to_owned();
+    }
+    let refused = deck.answer.with(|answer| {
+        answer.as_ref().filter(|answer| !answer.ok).map(|answer| answer.text.clone())
+    });
+    let why = own.with(|own| own.as_ref().map(|own| own.why.clone()).unwrap_or_default());
+    match refused {
+        Some(refused) => format!("Refused: {refused}"),
+        None => why,
+    }
+}

@@ -1,0 +1,270 @@
+//! The right column: heading, rudder, rate of turn, cross-track distance, speeds, position, drift.
+
+use crate::deck::Deck;
+use crate::reading::{Reading, Readings, state_name};
+use crate::value::{Badge, Shown, Value, shown};
+use crate::{format, gauge};
+use leptos::prelude::*;
+
+/// The right column.
+#[component]
+pub(super) fn Instruments() -> impl IntoView {
+    view! {
+        <aside class="right">
+            <HeadingPanel/>
+            <RudderPanel/>
+            <RatePanel/>
+            <CrossTrackPanel/>
+            <Cells/>
+        </aside>
+    }
+}
+
+#[component]
+fn HeadingPanel() -> impl IntoView {
+    let heading = shown(|r| &r.heading, format::direction);
+    let rows = [
+        ("HTS", "hts", shown(|r| &r.hts, format::direction)),
+        ("TRACK", "track", shown(|r| &r.track, format::direction)),
+        ("COG", "cog", shown(|r| &r.cog, format::direction)),
+    ];
+    view! {
+        <section class="hdg">
+            <div>
+                <p class="label">"HDG °T "{move || heading.with(|h| h.port.clone())}<Badge shown=heading/></p>
+                <dl class="rows">
+                    {rows
+                        .into_iter()
+                        .map(|(label, name, shown)| {
+                            view! {
+                                <dt>{label}</dt>
+                                <dd><Value name shown/>" "<Badge shown/></dd>
+                            }
+                        })
+                        .collect_view()}
+                </dl>
+            </div>
+            <div class="big"><Value name="heading" shown=heading/></div>
+        </section>
+    }
+}
+
+/// What a bar draws; changes only when the drawing does.
+#[derive(Clone, Debug, PartialEq)]
+struct Bar {
+    value: Option<f64>,
+    order: Option<f64>,
+    full: f64,
+    limit: Option<f64>,
+}
+
+/// A bar with zero in its middle. Without a value nothing is filled and no pointer rests at zero; the scale stays.
+#[component]
+fn Gauge(
+    bar: Memo<Bar>,
+    #[prop(into)] note: Signal<String>,
+    ticks: u32,
+    label: &'static str,
+) -> impl IntoView {
+    let zero = gauge::place(0.0, 1.0);
+    let fill = move || {
+        let bar = bar.get();
+        bar.value.map(|value| {
+            let (left, width) = gauge::fill(value, bar.full);
+            let side = if value >= 0.0 { "stbd" } else { "port" };
+            view! { <rect class=side x=format!("{left:.1}") y="13" width=format!("{width:.1}") height="26"/> }
+        })
+    };
+    let order = move || {
+        let bar = bar.get();
+        bar.order.map(|order| {
+            let x = gauge::place(order, bar.full);
+            view! { <path class="order" d=format!("M{:.1} 0h18l-9 13z", x - 9.0)/> }
+        })
+    };
+    let limit = move || {
+        let bar = bar.get();
+        bar.limit.map(|limit| {
+            let (port, stbd) = (gauge::place(-limit, bar.full), gauge::place(limit, bar.full));
+            view! { <path class="limit" d=format!("M{port:.1} 9v34M{stbd:.1} 9v34")/> }
+        })
+    };
+    let end = move || format!("{:.0}", bar.get().full);
+    view! {
+        <svg class="gauge" viewBox=format!("0 0 {} 66", gauge::WIDTH) role="img" aria-label=label>
+            <rect class="rail" x="28" y="13" width="340" height="26"/>
+            {fill}
+            {limit}
+            <path class="zero" d=format!("M{zero} 8v36")/>
+            {order}
+            <path class="tick" d=gauge::ticks(ticks)/>
+            <text x="28" y="63" class="strong">{end}</text>
+            <text x="368" y="63" class="strong" text-anchor="end">{end}</text>
+            <text x="198" y="63" text-anchor="middle">{move || note.get()}</text>
+        </svg>
+    }
+}
+
+#[component]
+fn RudderPanel() -> impl IntoView {
+    let deck = Deck::here();
+    let response = shown(|r| &r.rudder, |angle| format::sided(angle, 1));
+    let order = shown(|r| &r.order, |angle| format::sided(angle, 1));
+    let bar = Memo::new(move |_| {
+        let limit = deck.own.with(|own| own.as_ref()?.own.as_ref().map(|own| own.rudder_limit));
+        deck.readings.with(|r| Bar {
+            value: r.rudder.value,
+            order: r.order.value,
+            full: 35.0,
+            limit: limit.filter(|limit| *limit < 35.0),
+        })
+    });
+    view! {
+        <section>
+            <div class="head">
+                <p class="label">
+                    "RUDDER ° "<span class="quiet">"order "<Value name="rudder-order" shown=order/></span>
+                    <Badge shown=response/>
+                </p>
+                <span class="mid"><Value name="rudder-response" shown=response/></span>
+            </div>
+            <Gauge bar note=Signal::derive(move || limited(deck)) ticks=7 label="rudder order and response"/>
+        </section>
+    }
+}
+
+fn limited(deck: Deck) -> String {
+    deck.own.with(|own| match own.as_ref().and_then(|s| s.own.as_ref()) {
+        Some(own) if own.limited => format!("AT LIMIT {:.0}", own.rudder_limit),
+        Some(own) => format!("limit {:.0}", own.rudder_limit),
+        None => String::new(),
+    })
+}
+
+#[component]
+fn RatePanel() -> impl IntoView {
+    let deck = Deck::here();
+    let rate = shown(|r| &r.rot, |rate| format::sided(rate, 0));
+    let bar = Memo::new(move |_| {
+        deck.readings.with(|r| {
+            let largest = r.rot.value.unwrap_or(0.0).abs().max(r.rot_set.value.unwrap_or(0.0).abs());
+            Bar {
+                value: r.rot.value,
+                order: r.rot_set.value,
+                full: gauge::full_scale(largest, &[30.0, 60.0, 120.0, 300.0]),
+                limit: None,
+            }
+        })
+    });
+    let note = Signal::derive(move || {
+        deck.readings.with(|r| {
+            r.rot_set
+                .value
+                .map_or_else(String::new, |rate| format!("set {}", format::sided(Some(rate), 1)))
+        })
+    });
+    view! {
+        <section>
+            <div class="head">
+                <p class="label">"ROT °/min "{move || rate.with(|r| r.port.clone())}<Badge shown=rate/></p>
+                <span class="mid"><Value name="rot" shown=rate/></span>
+            </div>
+            <Gauge bar note ticks=6 label="rate of turn"/>
+        </section>
+    }
+}
+
+#[component]
+fn CrossTrackPanel() -> impl IntoView {
+    let deck = Deck::here();
+    let xtd = shown(|r| &r.xtd, |metres| format::sided(metres, 0));
+    let next = shown(|r| &r.xtd_next, |metres| format::sided(metres, 0));
+    let turning = Memo::new(move |_| deck.readings.with(|r| r.radius.value.is_some()));
+    let limits = Memo::new(move |_| {
+        let leg = deck.own.with(|own| own.as_ref()?.chart.as_ref().map(|chart| chart.leg));
+        deck.route.with(|route| route.waypoints.get(leg? + 1).map(|waypoint| waypoint.xtd_m))
+    });
+    let bar = Memo::new(move |_| {
+        let limit = limits.get().map(|[port, stbd]| port.min(stbd));
+        deck.readings.with(|r| {
+            let largest = r.xtd.value.unwrap_or(0.0).abs().max(limit.unwrap_or(0.0) * 1.2);
+            let full = gauge::full_scale(largest, &[60.0, 120.0, 240.0, 500.0, 1000.0, 2000.0]);
+            Bar { value: r.xtd.value, order: None, full, limit }
+        })
+    });
+    let note = Signal::derive(move || {
+        limits.get().map_or_else(String::new, |[port, stbd]| {
+            if (port - stbd).abs() < 0.5 {
+                format!("limit {port:.0}")
+            } else {
+                format!("limits P {port:.0} S {stbd:.0}")
+            }
+        })
+    });
+    view! {
+        <section>
+            <div class="head">
+                <p class="label">
+                    {move || if turning.get() { "XTD m (to radius)" } else { "XTD m" }}
+                    <span class="quiet">
+                        {move || if turning.get() { "next leg " } else { "control " }}
+                        <Value name="xtd-next-leg" shown=next/>
+                    </span>
+                    <Badge shown=xtd/>
+                </p>
+                <span class="mid"><Value name="xtd" shown=xtd/></span>
+            </div>
+            <Gauge bar note ticks=6 label="cross-track distance"/>
+        </section>
+    }
+}
+
+#[component]
+fn Cells() -> impl IntoView {
+    let deck = Deck::here();
+    let sog = shown(|r| &r.sog, format::speed);
+    let stw = shown(|r| &r.stw, format::speed);
+    let drift = shown(|r| &r.drift, |angle| format::sided(angle, 1));
+    let position = Memo::new(move |_| deck.readings.with(|r| position_of(r)));
+    let text = Memo::new(move |_| position.with(|(_, lines)| lines.clone()));
+    let badge = Memo::new(move |_| position.with(|(shown, _)| shown.clone()));
+    view! {
+        <section class="cells">
+            <Cell label="SOG" name="sog" unit="kn" shown=sog/>
+            <Cell label="STW" name="stw" unit="kn" shown=stw/>
+            <div class="cell">
+                <p class="label">"POS "{move || badge.with(|b| b.port.clone())}<Badge shown=badge/></p>
+                <p
+                    class="number two"
+                    data-value="position"
+                    data-state=move || badge.with(|b| state_name(b.state))
+                >
+                    {move || text.with(|(lat, _)| lat.clone())}
+                    <br/>
+                    {move || text.with(|(_, lon)| lon.clone())}
+                </p>
+            </div>
+            <Cell label="DRIFT" name="drift" unit="°" shown=drift/>
+        </section>
+    }
+}
+
+fn position_of(readings: &Readings) -> (Shown, (String, String)) {
+    let reading: &Reading<_> = &readings.position;
+    (Shown::of(reading, String::new()), format::position(reading.value))
+}
+
+#[component]
+fn Cell(
+    label: &'static str,
+    name: &'static str,
+    unit: &'static str,
+    shown: Memo<Shown>,
+) -> impl IntoView {
+    view! {
+        <div class="cell">
+            <p class="label">{label}" "{move || shown.with(|s| s.port.clone())}<Badge shown/></p>
+            <p class="number"><Value name shown/><span class="unit">{unit}</span></p>
+        </div>
+    }
+}

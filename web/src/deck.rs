@@ -1,0 +1,256 @@
+//! What the page knows: signals for the heard, the own and the link, fed by [`crate::link`], read by every component.
+
+use crate::heard::{Agreement, Fold};
+use crate::link::{self, wall};
+use crate::reading::Readings;
+use leptos::prelude::*;
+use wheelover_core::stream::{Answer, Do, Hello, Lines, PortView, RouteDocument, Snapshot};
+use wheelover_core::time::Stamp;
+
+/// A frame may be so late before the page lets its own clock run on, milliseconds on the wall.
+const BATCH: f64 = 300.0;
+
+/// What a hello says besides the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Greeting {
+    /// Version of the program.
+    pub build: String,
+    /// Number of sentences in the dictionary.
+    pub dictionary: u32,
+    /// Names of the ports.
+    pub ports: Vec<String>,
+    /// Which station is shown.
+    pub station: String,
+    /// Whether the ship is simulated.
+    pub simulated: bool,
+    /// Whether this page may command.
+    pub may_command: bool,
+}
+
+/// How the link is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LinkAge {
+    /// Milliseconds on the wall since the last frame; none before the first.
+    pub age: Option<u64>,
+    /// Frames so far: drives the heart-beat.
+    pub frames: u64,
+}
+
+/// A command that waits for its answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    id: u64,
+    /// Which button asked.
+    pub button: String,
+}
+
+/// The server's clock as the page knows it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Clock {
+    heard: f64,
+    server: f64,
+    rate: f64,
+}
+
+impl Clock {
+    fn now(&self, wall: f64) -> Stamp {
+        let beyond = (wall - self.heard - BATCH).max(0.0);
+        Stamp((self.server + beyond * self.rate) as u64)
+    }
+}
+
+/// The page's signals. A copy is a handle.
+#[derive(Clone, Copy)]
+pub struct Deck {
+    /// Everything shown, four times a second.
+    pub readings: RwSignal<Readings>,
+    /// The autopilot's own facts.
+    pub own: RwSignal<Option<Snapshot>>,
+    /// Who is at the other end.
+    pub greeting: RwSignal<Option<Greeting>>,
+    /// The route.
+    pub route: RwSignal<RouteDocument>,
+    /// State of the ports.
+    pub ports: RwSignal<Vec<PortView>>,
+    /// How the link is.
+    pub link: RwSignal<LinkAge>,
+    /// Whether the server's picture is ours.
+    pub agreement: RwSignal<Agreement>,
+    /// The last answer to a command.
+    pub answer: RwSignal<Option<Answer>>,
+    /// Commands without an answer yet.
+    pub asked: RwSignal<Vec<Asked>>,
+    /// The one clock of everything that flashes, 1 Hz.
+    pub flash: RwSignal<bool>,
+    /// Seconds of the day.
+    pub utc: RwSignal<Option<f64>>,
+    /// Frames that this page could not read: another version of the program.
+    pub misread: RwSignal<u64>,
+    /// Changes whenever lines came; the log itself is read by [`Deck::with_fold`].
+    pub log: RwSignal<u64>,
+    fold: StoredValue<Fold>,
+    clock: StoredValue<Clock>,
+    frames: StoredValue<u64>,
+}
+
+impl Deck {
+    /// An empty deck.
+    #[must_use]
+    pub fn new() -> Self {
+        Self {
+            readings: RwSignal::default(),
+            own: RwSignal::new(None),
+            greeting: RwSignal::new(None),
+            route: RwSignal::default(),
+            ports: RwSignal::default(),
+            link: RwSignal::default(),
+            agreement: RwSignal::default(),
+            answer: RwSignal::new(None),
+            asked: RwSignal::default(),
+            flash: RwSignal::new(true),
+            utc: RwSignal::new(None),
+            misread: RwSignal::new(0),
+            log: RwSignal::new(0),
+            fold: StoredValue::new(Fold::default()),
+            clock: StoredValue::new(Clock::default()),
+            frames: StoredValue::new(0),
+        }
+    }
+
+    /// The deck of this page.
+    #[must_use]
+    pub fn here() -> Self {
+        expect_context()
+    }
+
+    /// When the last frame came, on the wall's clock.
+    #[must_use]
+    pub fn heard_at(&self) -> f64 {
+        self.clock.with_value(|clock| clock.heard)
+    }
+
+    /// Reads the fold: its log, its latest lines, its track made good.
+    pub fn with_fold<T>(&self, read: impl FnOnce(&Fold) -> T) -> T {
+        self.fold.with_value(read)
+    }
+
+    /// A frame came.
+    pub fn alive(&self) {
+        self.clock.update_value(|clock| clock.heard = wall());
+        self.frames.update_value(|frames| *frames += 1);
+    }
+
+    /// A frame came that this page cannot read.
+    pub fn misunderstood(&self) {
+        self.misread.update(|count| *count += 1);
+    }
+
+    /// Takes a hello; gives back the number of the first line wanted.
+    pub fn greet(&self, hello: Hello) -> u64 {
+        let wanted = self.fold.try_update_value(|fold| fold.greet(&hello)).unwrap_or(1);
+        self.clock.update_value(|clock| {
+            clock.server = hello.at as f64;
+            clock.rate = hello.rate;
+        });
+        self.asked.set(Vec::new());
+        self.greeting.set(Some(Greeting {
+            build: hello.build,
+            dictionary: hello.dictionary,
+            ports: hello.ports.into_iter().map(|port| port.name).collect(),
+            station: hello.station,
+            simulated: hello.simulated,
+            may_command: hello.may_command,
+        }));
+        wanted
+    }
+
+    /// Takes a snapshot.
+    pub fn snapshot(&self, snapshot: Snapshot) {
+        self.clock.update_value(|clock| {
+            clock.rate = snapshot.rate;
+            // Lines of the same moment may still be under way.
+            let behind = snapshot.at as f64 - BATCH * snapshot.rate;
+            clock.server = clock.server.max(behind);
+        });
+        let agreement = self.fold.try_update_value(|fold| {
+            fold.snapshot(&snapshot);
+            fold.agreement
+        });
+        if let Some(agreement) = agreement
+            && agreement != self.agreement.get_untracked()
+        {
+            self.agreement.set(agreement);
+        }
+        let fast = snapshot.rate > 2.5;
+        let first = self.own.with_untracked(Option::is_none);
+        self.own.set(Some(snapshot));
+        if fast || first {
+            self.show();
+        }
+    }
+
+    /// Folds lines. False where some are missing.
+    pub fn lines(&self, lines: &Lines) -> bool {
+        let folded = self.fold.try_update_value(|fold| (fold.lines(lines), fold.line_at, fold.utc));
+        let Some((whole, line_at, utc)) = folded else {
+            return false;
+        };
+        self.clock.update_value(|clock| clock.server = clock.server.max(line_at.0 as f64));
+        if let Some((seconds, at)) = utc {
+            let now = self.clock.with_value(|clock| clock.now(wall()));
+            self.utc.set(Some(libm::floor(seconds + now.since(at) as f64 / 1000.0)));
+        }
+        self.log.update(|count| *count += 1);
+        whole
+    }
+
+    /// Makes the readings anew: ages run on although nothing comes.
+    pub fn show(&self) {
+        let clock = self.clock.get_value();
+        let wall = wall();
+        let frames = self.frames.get_value();
+        let age = (frames > 0).then_some((wall - clock.heard).max(0.0) as u64);
+        let link = LinkAge { age, frames };
+        let now = clock.now(wall);
+        let readings = self.own.with_untracked(|own| {
+            self.with_fold(|fold| {
+                Readings::of(&fold.picture, own.as_ref(), now, age.unwrap_or(u64::MAX))
+            })
+        });
+        self.link.set(link);
+        self.readings.set(readings);
+        if age.is_none_or(|age| age > crate::reading::LINK_LOST_MS) {
+            self.utc.set(None);
+        }
+        let agreement = self.with_fold(|fold| fold.agreement);
+        if agreement != self.agreement.get_untracked() {
+            self.agreement.set(agreement);
+        }
+    }
+
+    /// Sends a command for a button.
+    pub fn command(&self, button: &str, action: Do) {
+        match link::command(action) {
+            Some(id) => {
+                self.asked.update(|asked| asked.push(Asked { id, button: button.to_owned() }));
+            }
+            None => self.answer.set(Some(Answer {
+                id: 0,
+                ok: false,
+                text: "no link: nothing was sent".to_owned(),
+            })),
+        }
+    }
+
+    /// Takes an answer.
+    pub fn answered(&self, answer: Answer) {
+        self.asked.update(|asked| asked.retain(|asked| asked.id != answer.id));
+        self.answer.set(Some(answer));
+    }
+}
+
+impl Default for Deck {
+    fn default() -> Self {
+        Self::new()
+    }
+}

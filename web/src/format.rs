@@ -1,0 +1,216 @@
+//! Every number on the page is written here: declared decimals, sides as letters, unknown as dashes.
+
+use wheelover_core::geo::Position;
+
+/// What stands for an unknown angle.
+pub const NO_ANGLE: &str = "---.-";
+/// What stands for an unknown number with a side.
+pub const NO_SIDED: &str = "- --";
+/// What stands for an unknown speed.
+pub const NO_SPEED: &str = "--.-";
+/// What stands for an unknown time.
+pub const NO_TIME: &str = "--:--";
+/// What stands for an unknown text.
+pub const NO_TEXT: &str = "---";
+
+/// Rounds to `decimals`; a tie goes away from zero.
+fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    // No "-0.0".
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|letter| letter == '0' || letter == '.') => rest.to_owned(),
+        _ => text,
+    }
+}
+
+/// A direction with one decimal, three digits before it: `009.5`; never `360.0`.
+#[must_use]
+pub fn direction(degrees: Option<f64>) -> String {
+    match degrees {
+        Some(degrees) => {
+            let tenths = libm::round(degrees * 10.0);
+            let wrapped = tenths - 3600.0 * libm::floor(tenths / 3600.0);
+            format!("{:05.1}", wrapped / 10.0)
+        }
+        None => NO_ANGLE.to_owned(),
+    }
+}
+
+/// A speed in knots with one decimal.
+#[must_use]
+pub fn speed(knots: Option<f64>) -> String {
+    knots.map_or_else(|| NO_SPEED.to_owned(), |knots| fixed(knots, 1))
+}
+
+/// A signed value with its side as a letter: `S 8.2`, `P 0.4`; zero has no side.
+#[must_use]
+pub fn sided(value: Option<f64>, decimals: usize) -> String {
+    let Some(value) = value else {
+        return NO_SIDED.to_owned();
+    };
+    let number = fixed(libm::fabs(value), decimals);
+    if number.chars().all(|letter| letter == '0' || letter == '.') {
+        number
+    } else if value > 0.0 {
+        format!("S {number}")
+    } else {
+        format!("P {number}")
+    }
+}
+
+/// A distance: miles with two decimals, from ten miles with one.
+#[must_use]
+pub fn miles(metres: Option<f64>) -> String {
+    match metres.map(|metres| metres / 1852.0) {
+        Some(miles) if miles < 9.995 => fixed(miles, 2),
+        Some(miles) => fixed(miles, 1),
+        None => "-.--".to_owned(),
+    }
+}
+
+/// A radius in nautical miles with two decimals; `- -` on a straight leg (DSP-1).
+#[must_use]
+pub fn radius(miles: Option<f64>) -> String {
+    miles.map_or_else(|| "- -".to_owned(), |miles| fixed(miles, 2))
+}
+
+/// Latitude and longitude in degrees and minutes with three decimals.
+#[must_use]
+pub fn position(position: Option<Position>) -> (String, String) {
+    match position {
+        Some(Position { lat, lon }) => (
+            angle(lat, 2, if lat < 0.0 { 'S' } else { 'N' }),
+            angle(lon, 3, if lon < 0.0 { 'W' } else { 'E' }),
+        ),
+        None => ("--°--.---′".to_owned(), "---°--.---′".to_owned()),
+    }
+}
+
+fn angle(degrees: f64, digits: usize, side: char) -> String {
+    let thousandths = libm::round(libm::fabs(degrees) * 60_000.0);
+    let whole = libm::floor(thousandths / 60_000.0);
+    let minutes = (thousandths - whole * 60_000.0) / 1000.0;
+    format!("{whole:0digits$.0}°{minutes:06.3}′{side}")
+}
+
+/// A span of time as minutes and seconds, or hours, minutes and seconds.
+#[must_use]
+pub fn span(seconds: Option<f64>) -> String {
+    let Some(seconds) = seconds.filter(|seconds| seconds.is_finite()) else {
+        return NO_TIME.to_owned();
+    };
+    let whole = libm::round(libm::fabs(seconds));
+    let (hours, rest) = (libm::floor(whole / 3600.0), whole % 3600.0);
+    let (minutes, seconds) = (libm::floor(rest / 60.0), rest % 60.0);
+    if hours > 0.0 {
+        format!("{hours:.0}:{minutes:02.0}:{seconds:02.0}")
+    } else {
+        format!("{minutes:.0}:{seconds:02.0}")
+    }
+}
+
+/// A time of day from its seconds since midnight.
+#[must_use]
+pub fn clock(seconds_of_day: Option<f64>) -> String {
+    match seconds_of_day {
+        Some(seconds) => {
+            let whole = libm::floor(seconds) - 86_400.0 * libm::floor(seconds / 86_400.0);
+            format!(
+                "{:02.0}:{:02.0}:{:02.0}",
+                libm::floor(whole / 3600.0),
+                libm::floor(whole % 3600.0 / 60.0),
+                whole % 60.0
+            )
+        }
+        None => "--:--:--".to_owned(),
+    }
+}
+
+/// A time of day without its seconds.
+#[must_use]
+pub fn clock_minutes(seconds_of_day: Option<f64>) -> String {
+    let mut text = clock(seconds_of_day);
+    text.truncate(5);
+    text
+}
+
+/// An age: tenths below ten seconds, then seconds, then minutes.
+#[must_use]
+pub fn age(milliseconds: u64) -> String {
+    match milliseconds {
+        0..10_000 => fixed(milliseconds as f64 / 1000.0, 1) + " s",
+        10_000..120_000 => format!("{} s", milliseconds / 1000),
+        _ => format!("{} min", milliseconds / 60_000),
+    }
+}
+
+/// A whole number of seconds, for badges.
+#[must_use]
+pub fn seconds(milliseconds: u64) -> String {
+    match milliseconds {
+        0..120_000 => format!("{} s", milliseconds / 1000),
+        _ => format!("{} min", milliseconds / 60_000),
+    }
+}
+
+/// The first three characters of a waypoint's identifier (TCS-5).
+#[must_use]
+pub fn waypoint(identifier: Option<&str>) -> String {
+    match identifier {
+        Some(text) if !text.is_empty() => text.chars().take(3).collect(),
+        _ => NO_TEXT.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_never_reads_360() {
+        let check = |degrees, expect: &str| assert_eq!(direction(degrees), expect);
+        check(Some(9.5), "009.5");
+        check(Some(359.96), "000.0");
+        check(Some(0.0), "000.0");
+        check(Some(-0.01), "000.0");
+        check(None, "---.-");
+    }
+
+    #[test]
+    fn a_side_is_a_letter_and_zero_has_none() {
+        let check = |value, decimals, expect: &str| assert_eq!(sided(value, decimals), expect);
+        check(Some(8.24), 1, "S 8.2");
+        check(Some(-8.26), 1, "P 8.3");
+        check(Some(-0.04), 1, "0.0");
+        check(Some(37.4), 0, "S 37");
+        check(None, 1, "- --");
+    }
+
+    #[test]
+    fn minutes_of_a_position_stay_below_sixty() {
+        let (lat, lon) = position(Some(Position { lat: 53.999_999_9, lon: -12.760_583 }));
+        assert_eq!(lat, "54°00.000′N");
+        assert_eq!(lon, "012°45.635′W");
+        assert_eq!(position(None).0, "--°--.---′");
+    }
+
+    #[test]
+    fn spans_and_ages() {
+        assert_eq!(span(Some(42.4)), "0:42");
+        assert_eq!(span(Some(3_725.0)), "1:02:05");
+        assert_eq!(span(Some(f64::INFINITY)), "--:--");
+        assert_eq!(age(400), "0.4 s");
+        assert_eq!(age(14_200), "14 s");
+        assert_eq!(clock(Some(86_399.9)), "23:59:59");
+        assert_eq!(clock_minutes(None), "--:--");
+    }
+
+    #[test]
+    fn unknown_is_dashes_never_zero() {
+        assert_eq!(speed(None), "--.-");
+        assert_eq!(miles(None), "-.--");
+        assert_eq!(radius(None), "- -");
+        assert_eq!(waypoint(Some("")), "---");
+        assert_eq!(waypoint(Some("HAMBURG")), "HAM");
+    }
+}

@@ -1,0 +1,181 @@
+//! The WebSocket: hello, lines and snapshots down; acknowledgements, resume and commands up. Comes back by itself.
+
+use crate::deck::Deck;
+use leptos::prelude::*;
+use std::cell::RefCell;
+use std::time::Duration;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+use web_sys::{CloseEvent, MessageEvent, WebSocket};
+use wheelover_core::stream::{Do, Down, Up};
+
+/// First wait before a new connection, milliseconds; doubled up to [`LONGEST_WAIT`].
+const FIRST_WAIT: u64 = 250;
+/// Longest wait, milliseconds.
+const LONGEST_WAIT: u64 = 2_000;
+/// A link without any frame for so long is closed and made anew, milliseconds.
+const SILENT: f64 = 3_000.0;
+
+struct Socket {
+    socket: WebSocket,
+    /// Kept so that they live as long as the socket.
+    _message: Closure<dyn FnMut(MessageEvent)>,
+    _close: Closure<dyn FnMut(CloseEvent)>,
+}
+
+impl Drop for Socket {
+    fn drop(&mut self) {
+        self.socket.set_onmessage(None);
+        self.socket.set_onclose(None);
+        // Closing a socket that is closing already is no error worth a word.
+        let _closed = self.socket.close();
+    }
+}
+
+#[derive(Default)]
+struct State {
+    socket: Option<Socket>,
+    wait: u64,
+    waiting: bool,
+    opened: f64,
+    next_command: u64,
+}
+
+thread_local! {
+    static STATE: RefCell<State> = RefCell::new(State { wait: FIRST_WAIT, next_command: 1, ..State::default() });
+}
+
+/// Milliseconds of the browser's own steady clock.
+#[must_use]
+pub fn wall() -> f64 {
+    js_sys::Date::now()
+}
+
+/// Opens the link; from then on it keeps itself open.
+pub fn open(deck: Deck) {
+    connect(deck);
+    let visible = move || {
+        let hidden = document().hidden();
+        if !hidden && wall() - deck.heard_at() > 1_000.0 {
+            STATE.with_borrow_mut(|state| state.wait = FIRST_WAIT);
+            reopen(deck, 0);
+        }
+    };
+    let handle = window_event_listener_untyped("visibilitychange", move |_| visible());
+    // The listener lives as long as the page.
+    std::mem::forget(handle);
+}
+
+/// Closes a link on which nothing comes any more. Called by the page's tick.
+pub fn watch(deck: Deck) {
+    let silent = STATE.with_borrow(|state| {
+        let since = wall() - deck.heard_at().max(state.opened);
+        state.socket.is_some() && !state.waiting && since > SILENT
+    });
+    if silent {
+        reopen(deck, FIRST_WAIT);
+    }
+}
+
+/// Sends a command; gives back its number, or nothing where there is no link.
+pub fn command(action: Do) -> Option<u64> {
+    let id = STATE.with_borrow_mut(|state| {
+        state.next_command += 1;
+        state.next_command
+    });
+    send(&Up::Command { id, action }).then_some(id)
+}
+
+fn send(up: &Up) -> bool {
+    STATE.with_borrow(|state| {
+        let Some(socket) = &state.socket else {
+            return false;
+        };
+        match serde_json::to_string(up) {
+            Ok(text) => socket.socket.send_with_str(&text).is_ok(),
+            Err(_) => false,
+        }
+    })
+}
+
+fn connect(deck: Deck) {
+    let location = window().location();
+    let scheme = if location.protocol().is_ok_and(|p| p == "https:") { "wss" } else { "ws" };
+    let Ok(host) = location.host() else {
+        return;
+    };
+    let Ok(socket) = WebSocket::new(&format!("{scheme}://{host}/ws")) else {
+        reopen(deck, LONGEST_WAIT);
+        return;
+    };
+    let message = Closure::new(move |event: MessageEvent| {
+        if let Some(text) = event.data().as_string() {
+            receive(deck, &text);
+        }
+    });
+    let close = Closure::new(move |_: CloseEvent| {
+        let wait = STATE.with_borrow_mut(|state| {
+            let wait = state.wait;
+            state.wait = (wait * 2).min(LONGEST_WAIT);
+            wait
+        });
+        reopen(deck, wait);
+    });
+    socket.set_onmessage(Some(message.as_ref().unchecked_ref()));
+    socket.set_onclose(Some(close.as_ref().unchecked_ref()));
+    STATE.with_borrow_mut(|state| {
+        state.opened = wall();
+        state.socket = Some(Socket { socket, _message: message, _close: close });
+    });
+}
+
+/// Drops the socket and opens another one after a wait.
+fn reopen(deck: Deck, wait: u64) {
+    let begin = STATE.with_borrow_mut(|state| !std::mem::replace(&mut state.waiting, true));
+    if !begin {
+        return;
+    }
+    let jitter = (js_sys::Math::random() * 100.0) as u64;
+    // Not at once: the socket's own handler may be running.
+    set_timeout(
+        move || {
+            let old = STATE.with_borrow_mut(|state| {
+                state.waiting = false;
+                state.socket.take()
+            });
+            drop(old);
+            connect(deck);
+        },
+        Duration::from_millis(wait + jitter),
+    );
+}
+
+fn receive(deck: Deck, text: &str) {
+    let Ok(down) = serde_json::from_str::<Down>(text) else {
+        deck.misunderstood();
+        return;
+    };
+    deck.alive();
+    match down {
+        Down::Hello(hello) => {
+            STATE.with_borrow_mut(|state| state.wait = FIRST_WAIT);
+            let from = deck.greet(hello);
+            send(&Up::Subscribe { rate: 10.0, lines: true });
+            send(&Up::Resume { seq: from });
+        }
+        Down::Snapshot(snapshot) => {
+            send(&Up::Ack { frame: snapshot.frame });
+            deck.snapshot(snapshot);
+        }
+        Down::Lines(lines) => {
+            if !deck.lines(&lines) {
+                // Lines are missing: only a new hello can mend the picture.
+                reopen(deck, 0);
+            }
+        }
+        Down::Route(route) => deck.route.set(route),
+        Down::Ports(ports) => deck.ports.set(ports.ports),
+        Down::Settings(_) | Down::Gap { .. } => {}
+        Down::Answer(answer) => deck.answered(answer),
+    }
+}
