@@ -27,7 +27,10 @@ const fn state_key(state: State) -> &'static str {
 
 const fn flashes(state: State, priority: Priority) -> bool {
     !matches!(priority, Priority::Caution)
-        && matches!(state, State::Unacknowledged | State::Silenced | State::RectifiedUnacknowledged)
+        && matches!(
+            state,
+            State::Unacknowledged | State::Silenced | State::RectifiedUnacknowledged
+        )
 }
 
 /// Whether the page may acknowledge it: not a caution, not at its source only, not done yet.
@@ -74,20 +77,35 @@ fn Icon(priority: Priority, state: State) -> impl IntoView {
 
 /// The alert bar.
 #[component]
-pub fn AlertBar() -> impl IntoView {
+pub(crate) fn AlertBar() -> impl IntoView {
     let deck = Deck::here();
     let alerts = Memo::new(move |_| {
-        deck.own.with(|own| own.as_ref().map(|own| own.alerts.clone()).unwrap_or_default())
+        deck.own.with(|own| {
+            own.as_ref()
+                .map(|own| own.alerts.clone())
+                .unwrap_or_default()
+        })
     });
     let open = RwSignal::new(false);
     let top = Memo::new(move |_| alerts.with(|alerts| alerts.first().cloned()));
     let sounding = Memo::new(move |_| {
-        alerts.with(|alerts| alerts.iter().any(|alert| alert.state == State::Unacknowledged))
+        alerts.with(|alerts| {
+            alerts
+                .iter()
+                .any(|alert| alert.state == State::Unacknowledged)
+        })
     });
     let takable = Memo::new(move |_| {
-        alerts.with(|alerts| alerts.iter().find(|alert| may_acknowledge(alert)).map(|a| a.number))
+        alerts.with(|alerts| {
+            alerts
+                .iter()
+                .find(|alert| may_acknowledge(alert))
+                .map(|a| a.number)
+        })
     });
-    let others = Memo::new(move |_| alerts.with(|alerts| alerts.iter().skip(1).cloned().collect::<Vec<_>>()));
+    let others = Memo::new(move |_| {
+        alerts.with(|alerts| alerts.iter().skip(1).cloned().collect::<Vec<_>>())
+    });
     view! {
         <div
             class="alerts"
@@ -170,7 +188,10 @@ fn aside(alert: &AlertView) -> String {
 fn Row(alert: AlertView) -> impl IntoView {
     let deck = Deck::here();
     let (number, at) = (alert.number, alert.at);
-    let age = Memo::new(move |_| deck.readings.with(|r| r.now.0.saturating_sub(at) / 1000 * 1000));
+    let age = Memo::new(move |_| {
+        deck.readings
+            .with(|r| r.now.0.saturating_sub(at) / 1000 * 1000)
+    });
     view! {
         <div>
             <Icon priority=alert.priority state=alert.state/>

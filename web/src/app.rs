@@ -13,7 +13,7 @@ use std::time::Duration;
 
 /// Which view is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
+pub(crate) enum View {
     /// The bridge view.
     Bridge,
     /// Both directions of the dialogue.
@@ -107,7 +107,9 @@ fn reload_when_built_anew() {
         use wasm_bindgen::JsCast;
         use wasm_bindgen_futures::JsFuture;
         async fn newest() -> Option<String> {
-            let answer = JsFuture::from(window().fetch_with_str("/build.txt")).await.ok()?;
+            let answer = JsFuture::from(window().fetch_with_str("/build.txt"))
+                .await
+                .ok()?;
             let answer: web_sys::Response = answer.dyn_into().ok()?;
             if !answer.ok() {
                 return None;

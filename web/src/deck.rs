@@ -12,36 +12,36 @@ const BATCH: f64 = 300.0;
 
 /// What a hello says besides the picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Greeting {
+pub(crate) struct Greeting {
     /// Version of the program.
-    pub build: String,
+    pub(crate) build: String,
     /// Number of sentences in the dictionary.
-    pub dictionary: u32,
+    pub(crate) dictionary: u32,
     /// Names of the ports.
-    pub ports: Vec<String>,
+    pub(crate) ports: Vec<String>,
     /// Which station is shown.
-    pub station: String,
+    pub(crate) station: String,
     /// Whether the ship is simulated.
-    pub simulated: bool,
+    pub(crate) simulated: bool,
     /// Whether this page may command.
-    pub may_command: bool,
+    pub(crate) may_command: bool,
 }
 
 /// How the link is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct LinkAge {
+pub(crate) struct LinkAge {
     /// Milliseconds on the wall since the last frame; none before the first.
-    pub age: Option<u64>,
+    pub(crate) age: Option<u64>,
     /// Frames so far: drives the heart-beat.
-    pub frames: u64,
+    pub(crate) frames: u64,
 }
 
 /// A command that waits for its answer.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub(crate) struct Asked {
     id: u64,
     /// Which button asked.
-    pub button: String,
+    pub(crate) button: String,
 }
 
 /// The server's clock as the page knows it.
@@ -61,33 +61,33 @@ impl Clock {
 
 /// The page's signals. A copy is a handle.
 #[derive(Clone, Copy)]
-pub struct Deck {
+pub(crate) struct Deck {
     /// Everything shown, four times a second.
-    pub readings: RwSignal<Readings>,
+    pub(crate) readings: RwSignal<Readings>,
     /// The autopilot's own facts.
-    pub own: RwSignal<Option<Snapshot>>,
+    pub(crate) own: RwSignal<Option<Snapshot>>,
     /// Who is at the other end.
-    pub greeting: RwSignal<Option<Greeting>>,
+    pub(crate) greeting: RwSignal<Option<Greeting>>,
     /// The route.
-    pub route: RwSignal<RouteDocument>,
+    pub(crate) route: RwSignal<RouteDocument>,
     /// State of the ports.
-    pub ports: RwSignal<Vec<PortView>>,
+    pub(crate) ports: RwSignal<Vec<PortView>>,
     /// How the link is.
-    pub link: RwSignal<LinkAge>,
+    pub(crate) link: RwSignal<LinkAge>,
     /// Whether the server's picture is ours.
-    pub agreement: RwSignal<Agreement>,
+    pub(crate) agreement: RwSignal<Agreement>,
     /// The last answer to a command.
-    pub answer: RwSignal<Option<Answer>>,
+    pub(crate) answer: RwSignal<Option<Answer>>,
     /// Commands without an answer yet.
-    pub asked: RwSignal<Vec<Asked>>,
+    pub(crate) asked: RwSignal<Vec<Asked>>,
     /// The one clock of everything that flashes, 1 Hz.
-    pub flash: RwSignal<bool>,
+    pub(crate) flash: RwSignal<bool>,
     /// Seconds of the day.
-    pub utc: RwSignal<Option<f64>>,
+    pub(crate) utc: RwSignal<Option<f64>>,
     /// Frames that this page could not read: another version of the program.
-    pub misread: RwSignal<u64>,
+    pub(crate) misread: RwSignal<u64>,
     /// Changes whenever lines came; the log itself is read by [`Deck::with_fold`].
-    pub log: RwSignal<u64>,
+    pub(crate) log: RwSignal<u64>,
     fold: StoredValue<Fold>,
     clock: StoredValue<Clock>,
     frames: StoredValue<u64>,
@@ -96,7 +96,7 @@ pub struct Deck {
 impl Deck {
     /// An empty deck.
     #[must_use]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             readings: RwSignal::default(),
             own: RwSignal::new(None),
@@ -119,35 +119,38 @@ impl Deck {
 
     /// The deck of this page.
     #[must_use]
-    pub fn here() -> Self {
+    pub(crate) fn here() -> Self {
         expect_context()
     }
 
     /// When the last frame came, on the wall's clock.
     #[must_use]
-    pub fn heard_at(&self) -> f64 {
+    pub(crate) fn heard_at(&self) -> f64 {
         self.clock.with_value(|clock| clock.heard)
     }
 
     /// Reads the fold: its log, its latest lines, its track made good.
-    pub fn with_fold<T>(&self, read: impl FnOnce(&Fold) -> T) -> T {
+    pub(crate) fn with_fold<T>(&self, read: impl FnOnce(&Fold) -> T) -> T {
         self.fold.with_value(read)
     }
 
     /// A frame came.
-    pub fn alive(&self) {
+    pub(crate) fn alive(&self) {
         self.clock.update_value(|clock| clock.heard = wall());
         self.frames.update_value(|frames| *frames += 1);
     }
 
     /// A frame came that this page cannot read.
-    pub fn misunderstood(&self) {
+    pub(crate) fn misunderstood(&self) {
         self.misread.update(|count| *count += 1);
     }
 
     /// Takes a hello; gives back the number of the first line wanted.
-    pub fn greet(&self, hello: Hello) -> u64 {
-        let wanted = self.fold.try_update_value(|fold| fold.greet(&hello)).unwrap_or(1);
+    pub(crate) fn greet(&self, hello: Hello) -> u64 {
+        let wanted = self
+            .fold
+            .try_update_value(|fold| fold.greet(&hello))
+            .unwrap_or(1);
         self.clock.update_value(|clock| {
             clock.server = hello.at as f64;
             clock.rate = hello.rate;
@@ -165,7 +168,7 @@ impl Deck {
     }
 
     /// Takes a snapshot.
-    pub fn snapshot(&self, snapshot: Snapshot) {
+    pub(crate) fn snapshot(&self, snapshot: Snapshot) {
         self.clock.update_value(|clock| {
             clock.rate = snapshot.rate;
             // Lines of the same moment may still be under way.
@@ -190,22 +193,26 @@ impl Deck {
     }
 
     /// Folds lines. False where some are missing.
-    pub fn lines(&self, lines: &Lines) -> bool {
-        let folded = self.fold.try_update_value(|fold| (fold.lines(lines), fold.line_at, fold.utc));
+    pub(crate) fn lines(&self, lines: &Lines) -> bool {
+        let folded = self
+            .fold
+            .try_update_value(|fold| (fold.lines(lines), fold.line_at, fold.utc));
         let Some((whole, line_at, utc)) = folded else {
             return false;
         };
-        self.clock.update_value(|clock| clock.server = clock.server.max(line_at.0 as f64));
+        self.clock
+            .update_value(|clock| clock.server = clock.server.max(line_at.0 as f64));
         if let Some((seconds, at)) = utc {
             let now = self.clock.with_value(|clock| clock.now(wall()));
-            self.utc.set(Some(libm::floor(seconds + now.since(at) as f64 / 1000.0)));
+            self.utc
+                .set(Some(libm::floor(seconds + now.since(at) as f64 / 1000.0)));
         }
         self.log.update(|count| *count += 1);
         whole
     }
 
     /// Makes the readings anew: ages run on although nothing comes.
-    pub fn show(&self) {
+    pub(crate) fn show(&self) {
         let clock = self.clock.get_value();
         let wall = wall();
         let frames = self.frames.get_value();
@@ -229,10 +236,15 @@ impl Deck {
     }
 
     /// Sends a command for a button.
-    pub fn command(&self, button: &str, action: Do) {
+    pub(crate) fn command(&self, button: &str, action: Do) {
         match link::command(action) {
             Some(id) => {
-                self.asked.update(|asked| asked.push(Asked { id, button: button.to_owned() }));
+                self.asked.update(|asked| {
+                    asked.push(Asked {
+                        id,
+                        button: button.to_owned(),
+                    })
+                });
             }
             None => self.answer.set(Some(Answer {
                 id: 0,
@@ -243,8 +255,9 @@ impl Deck {
     }
 
     /// Takes an answer.
-    pub fn answered(&self, answer: Answer) {
-        self.asked.update(|asked| asked.retain(|asked| asked.id != answer.id));
+    pub(crate) fn answered(&self, answer: Answer) {
+        self.asked
+            .update(|asked| asked.retain(|asked| asked.id != answer.id));
         self.answer.set(Some(answer));
     }
 }

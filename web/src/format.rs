@@ -188,7 +188,10 @@ mod tests {
 
     #[test]
     fn minutes_of_a_position_stay_below_sixty() {
-        let (lat, lon) = position(Some(Position { lat: 53.999_999_9, lon: -12.760_583 }));
+        let (lat, lon) = position(Some(Position {
+            lat: 53.999_999_9,
+            lon: -12.760_583,
+        }));
         assert_eq!(lat, "54°00.000′N");
         assert_eq!(lon, "012°45.635′W");
         assert_eq!(position(None).0, "--°--.---′");

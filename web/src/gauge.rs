@@ -22,7 +22,10 @@ pub fn fill(value: f64, full: f64) -> (f64, f64) {
 /// The scale that holds `value`: the first of the steps that is large enough.
 #[must_use]
 pub fn full_scale(value: f64, steps: &[f64]) -> f64 {
-    let fits = steps.iter().copied().find(|step| libm::fabs(value) <= *step);
+    let fits = steps
+        .iter()
+        .copied()
+        .find(|step| libm::fabs(value) <= *step);
     fits.or_else(|| steps.last().copied()).unwrap_or(1.0)
 }
 
@@ -32,7 +35,11 @@ pub fn ticks(count: u32) -> String {
     let mut path = String::new();
     for index in 0..=2 * count {
         let x = ENDS.0 + (ENDS.1 - ENDS.0) * f64::from(index) / f64::from(2 * count);
-        let long = if (index % 2) == (count % 2) { 10.0 } else { 6.0 };
+        let long = if (index % 2) == (count % 2) {
+            10.0
+        } else {
+            6.0
+        };
         path.push_str(&format!("M{x:.1} 40v{long}"));
     }
     path

@@ -74,7 +74,11 @@ impl Fold {
         self.line_at = Stamp(hello.at);
         self.agreement = Agreement::Unknown;
         self.awaited.clear();
-        if self.seen == 0 { hello.line.saturating_sub(200) + 1 } else { self.seen + 1 }
+        if self.seen == 0 {
+            hello.line.saturating_sub(200) + 1
+        } else {
+            self.seen + 1
+        }
     }
 
     /// Folds what is new. False where lines are missing, so that the picture is not to be believed.
@@ -91,7 +95,8 @@ impl Fold {
             let bytes = latin1(text);
             let sentence = nmea::decode(&bytes);
             if *sequence == self.folded + 1 {
-                self.picture.fold_sentence(Stamp(*at), *port, *dir, &sentence);
+                self.picture
+                    .fold_sentence(Stamp(*at), *port, *dir, &sentence);
                 self.folded = *sequence;
                 self.line_at = Stamp(*at);
                 self.compare();
@@ -112,7 +117,8 @@ impl Fold {
     /// Remembers the server's digest, or compares at once where the fold stands there.
     pub fn snapshot(&mut self, snapshot: &Snapshot) {
         if snapshot.line >= self.folded {
-            self.awaited.push_back((snapshot.line, snapshot.digest.clone()));
+            self.awaited
+                .push_back((snapshot.line, snapshot.digest.clone()));
             while self.awaited.len() > 20 {
                 self.awaited.pop_front();
             }
@@ -127,16 +133,29 @@ impl Fold {
             }
             if *line == self.folded {
                 let agree = *digest == self.picture.digest();
-                self.agreement = if agree { Agreement::Agree } else { Agreement::Disagree };
+                self.agreement = if agree {
+                    Agreement::Agree
+                } else {
+                    Agreement::Disagree
+                };
             }
             self.awaited.pop_front();
         }
     }
 
     fn keep(&mut self, lane: Lane, line: &Line) {
-        let period = self.latest.get(&lane).map_or(0, |latest| line.1.saturating_sub(latest.line.1));
+        let period = self
+            .latest
+            .get(&lane)
+            .map_or(0, |latest| line.1.saturating_sub(latest.line.1));
         if self.latest.len() < 200 || self.latest.contains_key(&lane) {
-            self.latest.insert(lane, Latest { line: line.clone(), period });
+            self.latest.insert(
+                lane,
+                Latest {
+                    line: line.clone(),
+                    period,
+                },
+            );
         }
         self.log.push_back(line.clone());
         while self.log.len() > LOG {
@@ -168,10 +187,16 @@ impl Fold {
 /// The bytes of a line that travelled as Latin-1.
 #[must_use]
 pub fn latin1(text: &str) -> Vec<u8> {
-    text.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap_or(b'?')).collect()
+    text.chars()
+        .map(|letter| u8::try_from(u32::from(letter)).unwrap_or(b'?'))
+        .collect()
 }
 
 /// The address without its talker, or what stands for it.
 fn lane_name(sentence: &nmea::Sentence<'_>) -> String {
-    if sentence.formatter.is_empty() { "?".to_owned() } else { sentence.formatter.to_owned() }
+    if sentence.formatter.is_empty() {
+        "?".to_owned()
+    } else {
+        sentence.formatter.to_owned()
+    }
 }

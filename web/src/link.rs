@@ -47,12 +47,12 @@ thread_local! {
 
 /// Milliseconds of the browser's own steady clock.
 #[must_use]
-pub fn wall() -> f64 {
+pub(crate) fn wall() -> f64 {
     js_sys::Date::now()
 }
 
 /// Opens the link; from then on it keeps itself open.
-pub fn open(deck: Deck) {
+pub(crate) fn open(deck: Deck) {
     connect(deck);
     let visible = move || {
         let hidden = document().hidden();
@@ -67,7 +67,7 @@ pub fn open(deck: Deck) {
 }
 
 /// Closes a link on which nothing comes any more. Called by the page's tick.
-pub fn watch(deck: Deck) {
+pub(crate) fn watch(deck: Deck) {
     let silent = STATE.with_borrow(|state| {
         let since = wall() - deck.heard_at().max(state.opened);
         state.socket.is_some() && !state.waiting && since > SILENT
@@ -78,7 +78,7 @@ pub fn watch(deck: Deck) {
 }
 
 /// Sends a command; gives back its number, or nothing where there is no link.
-pub fn command(action: Do) -> Option<u64> {
+pub(crate) fn command(action: Do) -> Option<u64> {
     let id = STATE.with_borrow_mut(|state| {
         state.next_command += 1;
         state.next_command
@@ -100,7 +100,11 @@ fn send(up: &Up) -> bool {
 
 fn connect(deck: Deck) {
     let location = window().location();
-    let scheme = if location.protocol().is_ok_and(|p| p == "https:") { "wss" } else { "ws" };
+    let scheme = if location.protocol().is_ok_and(|p| p == "https:") {
+        "wss"
+    } else {
+        "ws"
+    };
     let Ok(host) = location.host() else {
         return;
     };
@@ -125,7 +129,11 @@ fn connect(deck: Deck) {
     socket.set_onclose(Some(close.as_ref().unchecked_ref()));
     STATE.with_borrow_mut(|state| {
         state.opened = wall();
-        state.socket = Some(Socket { socket, _message: message, _close: close });
+        state.socket = Some(Socket {
+            socket,
+            _message: message,
+            _close: close,
+        });
     });
 }
 
@@ -160,11 +168,16 @@ fn receive(deck: Deck, text: &str) {
         Down::Hello(hello) => {
             STATE.with_borrow_mut(|state| state.wait = FIRST_WAIT);
             let from = deck.greet(hello);
-            send(&Up::Subscribe { rate: 10.0, lines: true });
+            send(&Up::Subscribe {
+                rate: 10.0,
+                lines: true,
+            });
             send(&Up::Resume { seq: from });
         }
         Down::Snapshot(snapshot) => {
-            send(&Up::Ack { frame: snapshot.frame });
+            send(&Up::Ack {
+                frame: snapshot.frame,
+            });
             deck.snapshot(snapshot);
         }
         Down::Lines(lines) => {

@@ -2,15 +2,24 @@
 
 use leptos::prelude::*;
 
-const PALETTES: [(&str, &str); 4] =
-    [("bright", "BRIGHT"), ("day", "DAY"), ("dusk", "DUSK"), ("night", "NIGHT")];
+const PALETTES: [(&str, &str); 4] = [
+    ("bright", "BRIGHT"),
+    ("day", "DAY"),
+    ("dusk", "DUSK"),
+    ("night", "NIGHT"),
+];
 
 /// A button that goes to the next palette.
 #[component]
-pub fn Palettes() -> impl IntoView {
+pub(crate) fn Palettes() -> impl IntoView {
     let root = document().document_element();
-    let kept = root.and_then(|root| root.get_attribute("data-palette")).unwrap_or_default();
-    let start = PALETTES.iter().position(|(name, _)| *name == kept).unwrap_or(1);
+    let kept = root
+        .and_then(|root| root.get_attribute("data-palette"))
+        .unwrap_or_default();
+    let start = PALETTES
+        .iter()
+        .position(|(name, _)| *name == kept)
+        .unwrap_or(1);
     let chosen = RwSignal::new(start);
     let next = move |_| {
         let index = (chosen.get_untracked() + 1) % PALETTES.len();

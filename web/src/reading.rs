@@ -22,7 +22,12 @@ pub struct Reading<T> {
 
 impl<T> Default for Reading<T> {
     fn default() -> Self {
-        Self { value: None, state: Freshness::Never, age: 0, source: String::new() }
+        Self {
+            value: None,
+            state: Freshness::Never,
+            age: 0,
+            source: String::new(),
+        }
     }
 }
 
@@ -49,22 +54,40 @@ impl<T> Reading<T> {
 
     /// An own fact: as good as the link.
     fn own(value: Option<T>) -> Self {
-        let state = if value.is_some() { Freshness::Valid } else { Freshness::Never };
-        Self { value, state, age: 0, source: String::new() }
+        let state = if value.is_some() {
+            Freshness::Valid
+        } else {
+            Freshness::Never
+        };
+        Self {
+            value,
+            state,
+            age: 0,
+            source: String::new(),
+        }
     }
 
     /// The same without its value, for when the link is gone.
     fn lost(self, age: u64) -> Self {
         match self.state {
             Freshness::Never => self,
-            _ => Self { value: None, state: Freshness::Lost, age: self.age.max(age), ..self },
+            _ => Self {
+                value: None,
+                state: Freshness::Lost,
+                age: self.age.max(age),
+                ..self
+            },
         }
     }
 
     /// The port that the value came from, in capitals: `GYRO1`.
     #[must_use]
     pub fn port(&self) -> String {
-        self.source.split('/').next().unwrap_or_default().to_uppercase()
+        self.source
+            .split('/')
+            .next()
+            .unwrap_or_default()
+            .to_uppercase()
     }
 }
 
@@ -131,8 +154,9 @@ impl Readings {
         use Quantity::{Control, Ground, Heading, RateOfTurn, Rudder, WaterSpeed};
         let own: Option<&Own> = snapshot.and_then(|snapshot| snapshot.own.as_ref());
         let metres = |miles: f64| miles * 1852.0;
-        let heading =
-            Reading::heard(picture, picture.heading(now), Heading, now, |h| Some(h.deg()));
+        let heading = Reading::heard(picture, picture.heading(now), Heading, now, |h| {
+            Some(h.deg())
+        });
         let cog = Reading::heard(picture, picture.ground(now), Ground, now, |g| {
             g.course.map(|course| course.deg())
         });
@@ -141,22 +165,38 @@ impl Readings {
             now,
             hts: match own {
                 Some(own) => Reading::own(own.hts),
-                None => Reading::heard(picture, picture.htd.as_ref(), Quantity::Report, now, |htd| {
-                    htd.heading_to_steer
-                }),
+                None => Reading::heard(
+                    picture,
+                    picture.htd.as_ref(),
+                    Quantity::Report,
+                    now,
+                    |htd| htd.heading_to_steer,
+                ),
             },
             track: Reading::heard(picture, htc, Control, now, |c| c.htc.track),
-            sog: Reading::heard(picture, picture.ground(now), Ground, now, |g| Some(g.speed.knots())),
-            stw: Reading::heard(picture, picture.water_speed(now), WaterSpeed, now, |s| Some(s.knots())),
-            rot: Reading::heard(picture, picture.rate(now), RateOfTurn, now, |r| Some(r.deg_per_min())),
+            sog: Reading::heard(picture, picture.ground(now), Ground, now, |g| {
+                Some(g.speed.knots())
+            }),
+            stw: Reading::heard(picture, picture.water_speed(now), WaterSpeed, now, |s| {
+                Some(s.knots())
+            }),
+            rot: Reading::heard(picture, picture.rate(now), RateOfTurn, now, |r| {
+                Some(r.deg_per_min())
+            }),
             rot_set: Reading::heard(picture, htc, Control, now, |c| c.htc.rate_of_turn),
             order: match own {
                 Some(own) => Reading::own(own.rudder_order),
-                None => Reading::heard(picture, picture.order.as_ref(), Quantity::Report, now, |r| {
-                    Some(r.deg())
-                }),
+                None => Reading::heard(
+                    picture,
+                    picture.order.as_ref(),
+                    Quantity::Report,
+                    now,
+                    |r| Some(r.deg()),
+                ),
             },
-            rudder: Reading::heard(picture, picture.rudder.as_ref(), Rudder, now, |r| Some(r.deg())),
+            rudder: Reading::heard(picture, picture.rudder.as_ref(), Rudder, now, |r| {
+                Some(r.deg())
+            }),
             xtd: Reading::heard(picture, picture.xte.as_ref(), Control, now, |x| {
                 x.cross_track.map(metres)
             }),
@@ -172,7 +212,10 @@ impl Readings {
                 Some(f.position)
             }),
             drift: Reading {
-                value: cog.value.zip(heading.value).map(|(cog, heading)| wrap_180(cog - heading)),
+                value: cog
+                    .value
+                    .zip(heading.value)
+                    .map(|(cog, heading)| wrap_180(cog - heading)),
                 state: worse(cog.state, heading.state),
                 age: cog.age.max(heading.age),
                 source: String::new(),
@@ -185,7 +228,11 @@ impl Readings {
         {
             readings.position.state = Freshness::Low;
         }
-        if link_age > LINK_LOST_MS { readings.lost(link_age) } else { readings }
+        if link_age > LINK_LOST_MS {
+            readings.lost(link_age)
+        } else {
+            readings
+        }
     }
 
     /// No link: no value may look alive.
@@ -236,7 +283,10 @@ mod tests {
         };
         assert_eq!(lost.port(), "GYRO1");
         let lost = lost.lost(6_000);
-        assert_eq!((lost.value, lost.state, lost.age), (None, Freshness::Lost, 6_000));
+        assert_eq!(
+            (lost.value, lost.state, lost.age),
+            (None, Freshness::Lost, 6_000)
+        );
     }
 
     #[test]

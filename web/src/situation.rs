@@ -10,7 +10,7 @@ use wheelover_core::units::wrap_180;
 
 /// The words for a situation (interface.md 4).
 #[must_use]
-pub const fn words(situation: u8) -> &'static str {
+pub(crate) const fn words(situation: u8) -> &'static str {
     match situation {
         1 => "not active",
         2 => "on the first leg",
@@ -24,9 +24,16 @@ pub const fn words(situation: u8) -> &'static str {
 
 /// The situation: from our chart-system side, else from what a foreign one says.
 #[must_use]
-pub fn current(deck: Deck) -> Option<u8> {
-    let own = deck.own.with(|own| own.as_ref().and_then(|s| s.chart.as_ref()).map(|c| c.situation));
-    own.or_else(|| deck.readings.with(|r| deck.with_fold(|fold| heard(&fold.picture, r.now))))
+pub(crate) fn current(deck: Deck) -> Option<u8> {
+    let own = deck.own.with(|own| {
+        own.as_ref()
+            .and_then(|s| s.chart.as_ref())
+            .map(|c| c.situation)
+    });
+    own.or_else(|| {
+        deck.readings
+            .with(|r| deck.with_fold(|fold| heard(&fold.picture, r.now)))
+    })
 }
 
 /// The situation as the sentences of a foreign chart system show it.
@@ -34,9 +41,16 @@ fn heard(picture: &Picture, now: Stamp) -> Option<u8> {
     use wheelover_core::limits::Quantity::Control;
     let htc = &picture.htc.as_ref()?.usable(Control, now)?.htc;
     let metres = |miles: Option<f64>| miles.unwrap_or(0.0) * 1852.0;
-    let xte = picture.xte.as_ref().and_then(|x| x.usable(Control, now)).and_then(|x| x.cross_track);
-    let pney1 =
-        picture.pney1.as_ref().and_then(|x| x.usable(Control, now)).and_then(|x| x.cross_track);
+    let xte = picture
+        .xte
+        .as_ref()
+        .and_then(|x| x.usable(Control, now))
+        .and_then(|x| x.cross_track);
+    let pney1 = picture
+        .pney1
+        .as_ref()
+        .and_then(|x| x.usable(Control, now))
+        .and_then(|x| x.cross_track);
     match htc.steering_mode? {
         SteeringMode::TrackControl => Some(match htc.radius {
             None => 2,
@@ -50,7 +64,7 @@ fn heard(picture: &Picture, now: Stamp) -> Option<u8> {
 
 /// What the top bar says: headline and detail.
 #[must_use]
-pub fn headline(deck: Deck) -> (String, String) {
+pub(crate) fn headline(deck: Deck) -> (String, String) {
     deck.readings.with(|readings| {
         let waypoint = format::waypoint(readings.waypoint.value.as_deref());
         let track = readings.track.value;
@@ -66,9 +80,10 @@ pub fn headline(deck: Deck) -> (String, String) {
                     format!("at WP {waypoint} → {}°", format::direction(Some(track))),
                 )
             }
-            (None, Some(track)) => {
-                (format!("LEG {}°", format::direction(Some(track))), format!("to WP {waypoint}"))
-            }
+            (None, Some(track)) => (
+                format!("LEG {}°", format::direction(Some(track))),
+                format!("to WP {waypoint}"),
+            ),
             _ => (String::new(), String::new()),
         }
     })

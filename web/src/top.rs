@@ -11,7 +11,7 @@ use wheelover_core::stream::ModeName;
 
 /// The mode as the badge says it.
 #[must_use]
-pub const fn mode_title(mode: ModeName) -> &'static str {
+pub(crate) const fn mode_title(mode: ModeName) -> &'static str {
     match mode {
         ModeName::Standby => "STANDBY",
         ModeName::NfuOverride => "NFU OVERRIDE",
@@ -25,7 +25,7 @@ pub const fn mode_title(mode: ModeName) -> &'static str {
 
 /// The mode's name in `data-mode`.
 #[must_use]
-pub const fn mode_key(mode: ModeName) -> &'static str {
+pub(crate) const fn mode_key(mode: ModeName) -> &'static str {
     match mode {
         ModeName::Standby => "standby",
         ModeName::NfuOverride => "nfu_override",
@@ -39,17 +39,27 @@ pub const fn mode_key(mode: ModeName) -> &'static str {
 
 /// The top bar.
 #[component]
-pub fn TopBar(view: RwSignal<View>) -> impl IntoView {
+pub(crate) fn TopBar(view: RwSignal<View>) -> impl IntoView {
     let deck = Deck::here();
     let mode = Memo::new(move |_| {
-        deck.own.with(|own| own.as_ref().and_then(|s| s.own.as_ref()).map(|own| own.mode))
+        deck.own.with(|own| {
+            own.as_ref()
+                .and_then(|s| s.own.as_ref())
+                .map(|own| own.mode)
+        })
     });
     let linked = Memo::new(move |_| deck.link.get().age.is_some_and(|age| age <= 5_000));
     let title = move || match (linked.get(), mode.get()) {
         (true, Some(mode)) => mode_title(mode),
         _ => "- - -",
     };
-    let state = move || if linked.get() && mode.get().is_some() { "valid" } else { "lost" };
+    let state = move || {
+        if linked.get() && mode.get().is_some() {
+            "valid"
+        } else {
+            "lost"
+        }
+    };
     let tab = move |target: View, address: &'static str, name: &'static str| {
         view! {
             <a href=address aria-current=move || (view.get() == target).then_some("page")>{name}</a>
@@ -93,7 +103,11 @@ fn Sources() -> impl IntoView {
     let text = Memo::new(move |_| {
         deck.readings.with(|readings| {
             let part = |name: &str, port: String| {
-                if port.is_empty() { format!("{name} –") } else { format!("{name} {port}") }
+                if port.is_empty() {
+                    format!("{name} –")
+                } else {
+                    format!("{name} {port}")
+                }
             };
             [
                 part("HDG", readings.heading.port()),
@@ -117,7 +131,13 @@ fn LinkMark() -> impl IntoView {
         Some(1_001..=2_000) => "late",
         Some(_) => "lost",
     };
-    let place = move || if deck.link.get().frames / 10 % 2 == 0 { "4" } else { "10" };
+    let place = move || {
+        if deck.link.get().frames / 10 % 2 == 0 {
+            "4"
+        } else {
+            "10"
+        }
+    };
     view! {
         <span class="link" data-state=state>
             <svg viewBox="0 0 14 14" aria-hidden="true"><circle cx=place cy="7" r="4"/></svg>
@@ -134,7 +154,7 @@ fn LinkMark() -> impl IntoView {
 
 /// The veil over the page when nothing comes.
 #[component]
-pub fn NoLink() -> impl IntoView {
+pub(crate) fn NoLink() -> impl IntoView {
     let deck = Deck::here();
     let age = Memo::new(move |_| match deck.link.get().age {
         Some(age) if age > 2_000 => Some(age / 1_000),

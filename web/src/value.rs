@@ -8,33 +8,38 @@ use wheelover_core::limits::Freshness;
 
 /// What stands on the screen for a reading; changes only when the picture must.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub(crate) struct Shown {
     /// The number or text.
-    pub text: String,
+    pub(crate) text: String,
     /// How far it may be believed.
-    pub state: Freshness,
+    pub(crate) state: Freshness,
     /// `3 s` where late, `lost 14 s` where lost, else empty.
-    pub badge: String,
+    pub(crate) badge: String,
     /// The port that it came from, in capitals.
-    pub port: String,
+    pub(crate) port: String,
 }
 
 impl Shown {
     /// From a reading and its text.
     #[must_use]
-    pub fn of<T>(reading: &Reading<T>, text: String) -> Self {
+    pub(crate) fn of<T>(reading: &Reading<T>, text: String) -> Self {
         let badge = match reading.state {
             Freshness::Late => format::seconds(reading.age),
             Freshness::Lost => format!("lost {}", format::seconds(reading.age)),
             Freshness::Low => "low integrity".to_owned(),
             Freshness::Valid | Freshness::Never => String::new(),
         };
-        Self { text, state: reading.state, badge, port: reading.port() }
+        Self {
+            text,
+            state: reading.state,
+            badge,
+            port: reading.port(),
+        }
     }
 }
 
 /// A memo of one quantity as it is shown.
-pub fn shown<T: Clone + Send + Sync + 'static>(
+pub(crate) fn shown<T: Clone + Send + Sync + 'static>(
     pick: fn(&Readings) -> &Reading<T>,
     write: impl Fn(Option<T>) -> String + Send + Sync + 'static,
 ) -> Memo<Shown> {
@@ -49,7 +54,7 @@ pub fn shown<T: Clone + Send + Sync + 'static>(
 
 /// The element that tests and scripts hold on to: `data-value` and `data-state`.
 #[component]
-pub fn Value(name: &'static str, shown: Memo<Shown>) -> impl IntoView {
+pub(crate) fn Value(name: &'static str, shown: Memo<Shown>) -> impl IntoView {
     view! {
         <span
             class="shown"
@@ -63,7 +68,7 @@ pub fn Value(name: &'static str, shown: Memo<Shown>) -> impl IntoView {
 
 /// The age of a value that is late, lost or of low integrity.
 #[component]
-pub fn Badge(shown: Memo<Shown>) -> impl IntoView {
+pub(crate) fn Badge(shown: Memo<Shown>) -> impl IntoView {
     let text = Memo::new(move |_| shown.with(|shown| shown.badge.clone()));
     view! {
         <span class="badge-age" class:hidden=move || text.with(String::is_empty)>

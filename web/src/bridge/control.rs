@@ -43,10 +43,16 @@ impl Armed {
 pub(super) fn Control() -> impl IntoView {
     let deck = Deck::here();
     let armed = RwSignal::new(None::<(Armed, f64)>);
-    let own = Memo::new(move |_| deck.own.with(|own| own.as_ref().and_then(|s| s.own.clone())));
+    let own = Memo::new(move |_| {
+        deck.own
+            .with(|own| own.as_ref().and_then(|s| s.own.clone()))
+    });
     let mode = Memo::new(move |_| own.with(|own| own.as_ref().map(|own| own.mode)));
     let set = Memo::new(move |_| own.with(|own| own.as_ref().and_then(|own| own.set_heading)));
-    let may = Memo::new(move |_| deck.greeting.with(|g| g.as_ref().is_some_and(|g| g.may_command)));
+    let may = Memo::new(move |_| {
+        deck.greeting
+            .with(|g| g.as_ref().is_some_and(|g| g.may_command))
+    });
     // A press that is not confirmed lapses.
     Effect::new(move |_| {
         deck.readings.track();
@@ -83,7 +89,11 @@ pub(super) fn Control() -> impl IntoView {
         own.with(|own| {
             let pending = own.as_ref()?.pending.as_ref()?;
             let seconds = pending.until.saturating_sub(now).div_ceil(1_000);
-            Some(format!("{}: {seconds} s, {}", top::mode_title(pending.request), pending.waits_for))
+            Some(format!(
+                "{}: {seconds} s, {}",
+                top::mode_title(pending.request),
+                pending.waits_for
+            ))
         })
     });
     let adjust = move |name: &'static str, text: &'static str, degrees: f64| {
@@ -175,7 +185,10 @@ fn why(deck: Deck, own: &Memo<Option<Own>>) -> String {
         return "asked, waiting for the answer".to_owned();
     }
     let refused = deck.answer.with(|answer| {
-        answer.as_ref().filter(|answer| !answer.ok).map(|answer| answer.text.clone())
+        answer
+            .as_ref()
+            .filter(|answer| !answer.ok)
+            .map(|answer| answer.text.clone())
     });
     let why = own.with(|own| own.as_ref().map(|own| own.why.clone()).unwrap_or_default());
     match refused {

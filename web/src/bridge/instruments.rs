@@ -16,6 +16,7 @@ pub(super) fn Instruments() -> impl IntoView {
             <RatePanel/>
             <CrossTrackPanel/>
             <Cells/>
+            <Terms/>
         </aside>
     }
 }
@@ -85,7 +86,10 @@ fn Gauge(
     let limit = move || {
         let bar = bar.get();
         bar.limit.map(|limit| {
-            let (port, stbd) = (gauge::place(-limit, bar.full), gauge::place(limit, bar.full));
+            let (port, stbd) = (
+                gauge::place(-limit, bar.full),
+                gauge::place(limit, bar.full),
+            );
             view! { <path class="limit" d=format!("M{port:.1} 9v34M{stbd:.1} 9v34")/> }
         })
     };
@@ -111,7 +115,9 @@ fn RudderPanel() -> impl IntoView {
     let response = shown(|r| &r.rudder, |angle| format::sided(angle, 1));
     let order = shown(|r| &r.order, |angle| format::sided(angle, 1));
     let bar = Memo::new(move |_| {
-        let limit = deck.own.with(|own| own.as_ref()?.own.as_ref().map(|own| own.rudder_limit));
+        let limit = deck
+            .own
+            .with(|own| own.as_ref()?.own.as_ref().map(|own| own.rudder_limit));
         deck.readings.with(|r| Bar {
             value: r.rudder.value,
             order: r.order.value,
@@ -134,11 +140,12 @@ fn RudderPanel() -> impl IntoView {
 }
 
 fn limited(deck: Deck) -> String {
-    deck.own.with(|own| match own.as_ref().and_then(|s| s.own.as_ref()) {
-        Some(own) if own.limited => format!("AT LIMIT {:.0}", own.rudder_limit),
-        Some(own) => format!("limit {:.0}", own.rudder_limit),
-        None => String::new(),
-    })
+    deck.own
+        .with(|own| match own.as_ref().and_then(|s| s.own.as_ref()) {
+            Some(own) if own.limited => format!("AT LIMIT {:.0}", own.rudder_limit),
+            Some(own) => format!("limit {:.0}", own.rudder_limit),
+            None => String::new(),
+        })
 }
 
 #[component]
@@ -147,7 +154,12 @@ fn RatePanel() -> impl IntoView {
     let rate = shown(|r| &r.rot, |rate| format::sided(rate, 0));
     let bar = Memo::new(move |_| {
         deck.readings.with(|r| {
-            let largest = r.rot.value.unwrap_or(0.0).abs().max(r.rot_set.value.unwrap_or(0.0).abs());
+            let largest = r
+                .rot
+                .value
+                .unwrap_or(0.0)
+                .abs()
+                .max(r.rot_set.value.unwrap_or(0.0).abs());
             Bar {
                 value: r.rot.value,
                 order: r.rot_set.value,
@@ -158,9 +170,9 @@ fn RatePanel() -> impl IntoView {
     });
     let note = Signal::derive(move || {
         deck.readings.with(|r| {
-            r.rot_set
-                .value
-                .map_or_else(String::new, |rate| format!("set {}", format::sided(Some(rate), 1)))
+            r.rot_set.value.map_or_else(String::new, |rate| {
+                format!("set {}", format::sided(Some(rate), 1))
+            })
         })
     });
     view! {
@@ -181,15 +193,28 @@ fn CrossTrackPanel() -> impl IntoView {
     let next = shown(|r| &r.xtd_next, |metres| format::sided(metres, 0));
     let turning = Memo::new(move |_| deck.readings.with(|r| r.radius.value.is_some()));
     let limits = Memo::new(move |_| {
-        let leg = deck.own.with(|own| own.as_ref()?.chart.as_ref().map(|chart| chart.leg));
-        deck.route.with(|route| route.waypoints.get(leg? + 1).map(|waypoint| waypoint.xtd_m))
+        let leg = deck
+            .own
+            .with(|own| own.as_ref()?.chart.as_ref().map(|chart| chart.leg));
+        deck.route
+            .with(|route| route.waypoints.get(leg? + 1).map(|waypoint| waypoint.xtd_m))
     });
     let bar = Memo::new(move |_| {
         let limit = limits.get().map(|[port, stbd]| port.min(stbd));
         deck.readings.with(|r| {
-            let largest = r.xtd.value.unwrap_or(0.0).abs().max(limit.unwrap_or(0.0) * 1.2);
+            let largest = r
+                .xtd
+                .value
+                .unwrap_or(0.0)
+                .abs()
+                .max(limit.unwrap_or(0.0) * 1.2);
             let full = gauge::full_scale(largest, &[60.0, 120.0, 240.0, 500.0, 1000.0, 2000.0]);
-            Bar { value: r.xtd.value, order: None, full, limit }
+            Bar {
+                value: r.xtd.value,
+                order: None,
+                full,
+                limit,
+            }
         })
     });
     let note = Signal::derive(move || {
@@ -251,7 +276,10 @@ fn Cells() -> impl IntoView {
 
 fn position_of(readings: &Readings) -> (Shown, (String, String)) {
     let reading: &Reading<_> = &readings.position;
-    (Shown::of(reading, String::new()), format::position(reading.value))
+    (
+        Shown::of(reading, String::new()),
+        format::position(reading.value),
+    )
 }
 
 #[component]
@@ -266,5 +294,30 @@ fn Cell(
             <p class="label">{label}" "{move || shown.with(|s| s.port.clone())}<Badge shown/></p>
             <p class="number"><Value name shown/><span class="unit">{unit}</span></p>
         </div>
+    }
+}
+
+/// Why the rudder moves: the parts of the order, from the autopilot itself.
+#[component]
+fn Terms() -> impl IntoView {
+    let deck = Deck::here();
+    let terms = Memo::new(move |_| {
+        deck.own.with(|own| {
+            let own = own.as_ref()?.own.as_ref()?;
+            own.rudder_order.map(|_| own.terms)
+        })
+    });
+    let part = move |index: usize, name: &'static str| {
+        let text = move || format::sided(terms.get().map(|terms| terms[index]), 1);
+        view! { <span><small>{name}</small>" "{text}</span> }
+    };
+    view! {
+        <section class="terms">
+            <span class="label">"ORDER ="</span>
+            {part(0, "heading")}
+            {part(2, "rate")}
+            {part(1, "bias")}
+            {part(3, "turn")}
+        </section>
     }
 }

@@ -10,7 +10,7 @@ use leptos::prelude::*;
 
 /// The bridge view.
 #[component]
-pub fn Bridge() -> impl IntoView {
+pub(crate) fn Bridge() -> impl IntoView {
     view! {
         <main class="bridge">
             <div class="left">

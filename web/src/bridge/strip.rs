@@ -20,12 +20,15 @@ struct Progress {
 }
 
 fn progress(deck: Deck) -> Progress {
-    let chart = deck.own.with(|own| own.as_ref().and_then(|s| s.chart.clone()));
+    let chart = deck
+        .own
+        .with(|own| own.as_ref().and_then(|s| s.chart.clone()));
     let Some(chart) = chart else {
         return Progress::default();
     };
     let name = |index: usize| {
-        deck.route.with(|route| format::waypoint(route.waypoints.get(index).map(|w| w.id.as_str())))
+        deck.route
+            .with(|route| format::waypoint(route.waypoints.get(index).map(|w| w.id.as_str())))
     };
     let mut progress = Progress {
         from: name(chart.leg),
@@ -39,19 +42,33 @@ fn progress(deck: Deck) -> Progress {
         };
         let plane = Plane::at(position);
         let ship = plane.point(position);
-        let speed = readings.sog.value.map(|knots| knots * 1852.0 / 3600.0).filter(|s| *s > 0.2);
+        let speed = readings
+            .sog
+            .value
+            .map(|knots| knots * 1852.0 / 3600.0)
+            .filter(|s| *s > 0.2);
         deck.route.with(|route| {
             let shape = Shape::of(route, &plane);
             if let Some((_, place)) = shape.waypoints.get(chart.leg + 1) {
                 let metres = ship.distance(*place);
                 progress.to_go = Some(metres);
-                progress.eta = deck.utc.get().zip(speed).map(|(utc, speed)| utc + metres / speed);
+                progress.eta = deck
+                    .utc
+                    .get()
+                    .zip(speed)
+                    .map(|(utc, speed)| utc + metres / speed);
             }
-            if let Some(turn) = shape.turns.iter().find(|turn| turn.waypoint == chart.leg + 1) {
+            if let Some(turn) = shape
+                .turns
+                .iter()
+                .find(|turn| turn.waypoint == chart.leg + 1)
+            {
                 progress.next_track = Some(turn.course_out());
                 if matches!(chart.situation, 3 | 4) {
-                    progress.turn_end =
-                        turn.remaining(ship).zip(speed).map(|(metres, speed)| metres / speed);
+                    progress.turn_end = turn
+                        .remaining(ship)
+                        .zip(speed)
+                        .map(|(metres, speed)| metres / speed);
                 }
             }
         });
@@ -131,7 +148,11 @@ pub(super) fn Strip() -> impl IntoView {
 }
 
 fn known(text: &str) -> String {
-    if text.is_empty() { format::NO_TEXT.to_owned() } else { text.to_owned() }
+    if text.is_empty() {
+        format::NO_TEXT.to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 #[component]

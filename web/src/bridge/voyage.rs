@@ -8,7 +8,12 @@ const PACES: [f64; 5] = [1.0, 5.0, 10.0, 30.0, 60.0];
 
 /// Faults that can be put in: name of the button, its text, cable, kind.
 const FAULTS: [(&str, &str, &str, FaultKind); 3] = [
-    ("fault-chart-silent", "CHART SILENT", "ecdis", FaultKind::Silent),
+    (
+        "fault-chart-silent",
+        "CHART SILENT",
+        "ecdis",
+        FaultKind::Silent,
+    ),
     ("fault-gyro-jump", "GYRO JUMP", "gyro1", FaultKind::Jump),
     ("fault-position-jump", "POS JUMP", "gps", FaultKind::Jump),
 ];
@@ -20,7 +25,10 @@ const CURRENT: (f64, f64) = (90.0, 1.0);
 #[component]
 pub(super) fn VoyageBar() -> impl IntoView {
     let deck = Deck::here();
-    let simulated = Memo::new(move |_| deck.greeting.with(|g| g.as_ref().is_some_and(|g| g.simulated)));
+    let simulated = Memo::new(move |_| {
+        deck.greeting
+            .with(|g| g.as_ref().is_some_and(|g| g.simulated))
+    });
     view! {
         <Show when=move || simulated.get()>
             <Bar/>
@@ -31,13 +39,21 @@ pub(super) fn VoyageBar() -> impl IntoView {
 #[component]
 fn Bar() -> impl IntoView {
     let deck = Deck::here();
-    let voyage = Memo::new(move |_| deck.own.with(|own| own.as_ref().and_then(|s| s.voyage.clone())));
+    let voyage = Memo::new(move |_| {
+        deck.own
+            .with(|own| own.as_ref().and_then(|s| s.voyage.clone()))
+    });
     let control = Memo::new(move |_| {
-        deck.own.with(|own| own.as_ref().and_then(|s| s.chart.as_ref()).map(|c| c.control.clone()))
+        deck.own.with(|own| {
+            own.as_ref()
+                .and_then(|s| s.chart.as_ref())
+                .map(|c| c.control.clone())
+        })
     });
     let officer = Memo::new(move |_| voyage.with(|v| v.as_ref().is_some_and(|v| v.officer)));
     let round = Memo::new(move |_| voyage.with(|v| v.as_ref().map_or(0, |v| v.round)));
-    let current = Memo::new(move |_| voyage.with(|v| v.as_ref().is_some_and(|v| v.current[1] > 0.05)));
+    let current =
+        Memo::new(move |_| voyage.with(|v| v.as_ref().is_some_and(|v| v.current[1] > 0.05)));
     let pace = |pace: f64| {
         let name = format!("speed-{pace:.0}");
         let asked = name.clone();
@@ -56,37 +72,39 @@ fn Bar() -> impl IntoView {
             </button>
         }
     };
-    let chart = |name: &'static str, text: &'static str, key: &'static str, request: ChartRequest| {
-        view! {
-            <button
-                type="button"
-                data-command=name
-                aria-pressed=move || {
-                    if control.with(|c| c.as_deref() == Some(key)) { "true" } else { "false" }
-                }
-                on:click=move |_| deck.command(name, Do::Chart(request))
-            >
-                {text}
-            </button>
-        }
-    };
-    let fault = |(name, text, cable, kind): (&'static str, &'static str, &'static str, FaultKind)| {
-        let on = Memo::new(move |_| voyage.with(|v| has(v.as_ref(), cable, kind)));
-        view! {
-            <button
-                type="button"
-                class="fault"
-                data-command=name
-                aria-pressed=move || if on.get() { "true" } else { "false" }
-                on:click=move |_| {
-                    let on = !on.get_untracked();
-                    deck.command(name, Do::Fault { cable: cable.to_owned(), kind, on });
-                }
-            >
-                {text}
-            </button>
-        }
-    };
+    let chart =
+        |name: &'static str, text: &'static str, key: &'static str, request: ChartRequest| {
+            view! {
+                <button
+                    type="button"
+                    data-command=name
+                    aria-pressed=move || {
+                        if control.with(|c| c.as_deref() == Some(key)) { "true" } else { "false" }
+                    }
+                    on:click=move |_| deck.command(name, Do::Chart(request))
+                >
+                    {text}
+                </button>
+            }
+        };
+    let fault =
+        |(name, text, cable, kind): (&'static str, &'static str, &'static str, FaultKind)| {
+            let on = Memo::new(move |_| voyage.with(|v| has(v.as_ref(), cable, kind)));
+            view! {
+                <button
+                    type="button"
+                    class="fault"
+                    data-command=name
+                    aria-pressed=move || if on.get() { "true" } else { "false" }
+                    on:click=move |_| {
+                        let on = !on.get_untracked();
+                        deck.command(name, Do::Fault { cable: cable.to_owned(), kind, on });
+                    }
+                >
+                    {text}
+                </button>
+            }
+        };
     view! {
         <div class="bar voyage">
             <span class="caption">"ROUND "{move || round.get()}</span>
@@ -123,5 +141,9 @@ fn Bar() -> impl IntoView {
 }
 
 fn has(voyage: Option<&VoyageOwn>, cable: &str, kind: FaultKind) -> bool {
-    voyage.is_some_and(|v| v.faults.iter().any(|(name, what)| name == cable && *what == kind))
+    voyage.is_some_and(|v| {
+        v.faults
+            .iter()
+            .any(|(name, what)| name == cable && *what == kind)
+    })
 }

@@ -51,7 +51,10 @@ impl Frame {
         let half = libm::fmin(size.0, size.1) / 2.0;
         let scale = half / (range_nm * 1852.0);
         let angle = (ahead - up).to_radians();
-        let (dx, dy) = (libm::sin(angle) * size.0 * 0.18, -libm::cos(angle) * size.1 * 0.18);
+        let (dx, dy) = (
+            libm::sin(angle) * size.0 * 0.18,
+            -libm::cos(angle) * size.1 * 0.18,
+        );
         Self {
             plane: Plane::at(ship),
             size,
@@ -64,7 +67,10 @@ impl Frame {
     /// Where a point of the plane stands.
     #[must_use]
     pub fn point(&self, point: Point) -> (f64, f64) {
-        let (sine, cosine) = (libm::sin(self.up.to_radians()), libm::cos(self.up.to_radians()));
+        let (sine, cosine) = (
+            libm::sin(self.up.to_radians()),
+            libm::cos(self.up.to_radians()),
+        );
         (
             self.centre.0 + self.scale * (point.east * cosine - point.north * sine),
             self.centre.1 - self.scale * (point.north * cosine + point.east * sine),
@@ -80,10 +86,16 @@ impl Frame {
     /// The plane's point that stands at a corner or elsewhere on the screen.
     #[must_use]
     pub fn unproject(&self, (x, y): (f64, f64)) -> Point {
-        let (sine, cosine) = (libm::sin(self.up.to_radians()), libm::cos(self.up.to_radians()));
+        let (sine, cosine) = (
+            libm::sin(self.up.to_radians()),
+            libm::cos(self.up.to_radians()),
+        );
         let right = (x - self.centre.0) / self.scale;
         let upward = (self.centre.1 - y) / self.scale;
-        Point { north: upward * cosine - right * sine, east: right * cosine + upward * sine }
+        Point {
+            north: upward * cosine - right * sine,
+            east: right * cosine + upward * sine,
+        }
     }
 
     /// An SVG path through points of the plane.
@@ -107,7 +119,10 @@ impl Frame {
     /// A line across `point`, square to the direction `degrees`, `metres` to each side.
     #[must_use]
     pub fn across(&self, point: Point, degrees: f64, metres: f64) -> String {
-        self.path(&[point.towards(degrees - 90.0, metres), point.towards(degrees + 90.0, metres)])
+        self.path(&[
+            point.towards(degrees - 90.0, metres),
+            point.towards(degrees + 90.0, metres),
+        ])
     }
 
     /// Lines of latitude and longitude as one path, with the minutes between two of them.
@@ -116,9 +131,11 @@ impl Frame {
         let (width, height) = self.size;
         let corners = [(0.0, 0.0), (width, 0.0), (0.0, height), (width, height)]
             .map(|corner| self.plane.position(self.unproject(corner)));
-        let low = |pick: fn(&Position) -> f64| corners.iter().map(pick).fold(f64::INFINITY, libm::fmin);
-        let high =
-            |pick: fn(&Position) -> f64| corners.iter().map(pick).fold(f64::NEG_INFINITY, libm::fmax);
+        let low =
+            |pick: fn(&Position) -> f64| corners.iter().map(pick).fold(f64::INFINITY, libm::fmin);
+        let high = |pick: fn(&Position) -> f64| {
+            corners.iter().map(pick).fold(f64::NEG_INFINITY, libm::fmax)
+        };
         let (south, north) = (low(|p| p.lat), high(|p| p.lat));
         let (west, east) = (low(|p| p.lon), high(|p| p.lon));
         let step = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0]
@@ -141,14 +158,19 @@ impl Frame {
 
 fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
     let first = libm::ceil(low / step);
-    (0..40).map(move |index| (first + f64::from(index)) * step).take_while(move |value| *value <= high)
+    (0..40)
+        .map(move |index| (first + f64::from(index)) * step)
+        .take_while(move |value| *value <= high)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SHIP: Position = Position { lat: 54.0, lon: 12.0 };
+    const SHIP: Position = Position {
+        lat: 54.0,
+        lon: 12.0,
+    };
 
     fn frame(up: f64) -> Frame {
         Frame::around(SHIP, (800.0, 600.0), 1.0, up, up)
@@ -160,14 +182,20 @@ mod tests {
         let ship = frame.point(Point::default());
         let ahead = frame.point(Point::default().towards(245.0, 1852.0));
         assert!((ahead.0 - ship.0).abs() < 1e-6);
-        assert!((ship.1 - ahead.1 - 300.0).abs() < 1e-6, "a mile is half the height");
+        assert!(
+            (ship.1 - ahead.1 - 300.0).abs() < 1e-6,
+            "a mile is half the height"
+        );
         assert!(ship.1 > 400.0, "the ship stands below the middle");
     }
 
     #[test]
     fn screen_and_plane_agree_both_ways() {
         let frame = frame(33.0);
-        let point = Point { north: 812.0, east: -407.0 };
+        let point = Point {
+            north: 812.0,
+            east: -407.0,
+        };
         let back = frame.unproject(frame.point(point));
         assert!(back.distance(point) < 1e-6);
     }

@@ -102,8 +102,11 @@ impl Shape {
     /// Places a route in a plane.
     #[must_use]
     pub fn of(route: &RouteDocument, plane: &Plane) -> Self {
-        let waypoints: Vec<(String, Point)> =
-            route.waypoints.iter().map(|w| (w.id.clone(), plane.point(w.position))).collect();
+        let waypoints: Vec<(String, Point)> = route
+            .waypoints
+            .iter()
+            .map(|w| (w.id.clone(), plane.point(w.position)))
+            .collect();
         let course = |leg: usize| -> f64 {
             let given = route.waypoints.get(leg + 1).and_then(|w| w.course);
             given.unwrap_or_else(|| match (waypoints.get(leg), waypoints.get(leg + 1)) {
@@ -135,16 +138,28 @@ impl Shape {
                 }
             }
         }
-        Self { waypoints, legs, turns, corridor }
+        Self {
+            waypoints,
+            legs,
+            turns,
+            corridor,
+        }
     }
 }
 
 fn limits(route: &RouteDocument, leg: usize) -> [f64; 2] {
-    route.waypoints.get(leg + 1).map_or([0.0; 2], |waypoint| waypoint.xtd_m)
+    route
+        .waypoints
+        .get(leg + 1)
+        .map_or([0.0; 2], |waypoint| waypoint.xtd_m)
 }
 
 fn limits_after(route: &RouteDocument, leg: usize) -> [f64; 2] {
-    if leg + 2 < route.waypoints.len() { limits(route, leg + 1) } else { limits(route, leg) }
+    if leg + 2 < route.waypoints.len() {
+        limits(route, leg + 1)
+    } else {
+        limits(route, leg)
+    }
 }
 
 /// Where the ship will be in `seconds` at a steady rate of turn (degrees a minute) and speed (metres a second).
@@ -170,10 +185,22 @@ mod tests {
         // Northbound, then east: a turn to starboard of 1000 m radius.
         Turn {
             waypoint: 1,
-            wheel_over: Point { north: -100.0, east: 0.0 },
-            start: Point { north: 0.0, east: 0.0 },
-            end: Point { north: 1000.0, east: 1000.0 },
-            centre: Point { north: 0.0, east: 1000.0 },
+            wheel_over: Point {
+                north: -100.0,
+                east: 0.0,
+            },
+            start: Point {
+                north: 0.0,
+                east: 0.0,
+            },
+            end: Point {
+                north: 1000.0,
+                east: 1000.0,
+            },
+            centre: Point {
+                north: 0.0,
+                east: 1000.0,
+            },
             sweep: 90.0,
             radius: 1000.0,
             course_in: 0.0,

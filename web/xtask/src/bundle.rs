@@ -97,7 +97,7 @@ fn lay(page: &Page, compression: Compression) -> Result<u64, Failure> {
         first_load.push(dist.join(format!("{name}.br")));
         Ok(format!("/{name}"))
     };
-    let style = text(&fixed.join("page.css"))?;
+    let style = text(&fixed.join("page.css"))? + &text(&fixed.join("talk.css"))?;
     let palette = text(&fixed.join("palette.js"))?;
     let wasm = asset("page", "wasm", &page.wasm)?;
     let script = asset("page", "js", page.script.as_bytes())?;

@@ -1,0 +1,8 @@
+//! Lines explained.
+use leptos::prelude::*;
+
+/// The decoder page.
+#[component]
+pub(crate) fn Decoder() -> impl IntoView {
+    view! { <main class="decoder"></main> }
+}
