@@ -11,6 +11,10 @@
 //! `palette`. All that moves the rudder but STANDBY is pressed and then confirmed.
 //!
 //! **Invariant:** nothing older than its limit is shown as live: ages are computed here, four times a second.
+#![allow(
+    unreachable_pub,
+    reason = "Leptos makes a public item of every component"
+)]
 
 pub mod format;
 pub mod gauge;

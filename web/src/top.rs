@@ -132,7 +132,7 @@ fn LinkMark() -> impl IntoView {
         Some(_) => "lost",
     };
     let place = move || {
-        if deck.link.get().frames / 10 % 2 == 0 {
+        if (deck.link.get().frames / 10).is_multiple_of(2) {
             "4"
         } else {
             "10"

@@ -250,7 +250,7 @@ fn Cells() -> impl IntoView {
     let sog = shown(|r| &r.sog, format::speed);
     let stw = shown(|r| &r.stw, format::speed);
     let drift = shown(|r| &r.drift, |angle| format::sided(angle, 1));
-    let position = Memo::new(move |_| deck.readings.with(|r| position_of(r)));
+    let position = Memo::new(move |_| deck.readings.with(position_of));
     let text = Memo::new(move |_| position.with(|(_, lines)| lines.clone()));
     let badge = Memo::new(move |_| position.with(|(shown, _)| shown.clone()));
     view! {
