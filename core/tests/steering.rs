@@ -132,10 +132,10 @@ fn check_step(change: f64, rate: f64, overshoot: f64) {
 #[test]
 fn heading_steps_do_not_overshoot() {
     check_step(10.0, 0.4, 1.0);
-    check_step(30.0, 0.4, 1.5);
-    check_step(-30.0, 0.5, 1.7);
-    check_step(80.0, 0.4, 2.5);
-    check_step(-80.0, 0.5, 2.5);
+    check_step(30.0, 0.4, 1.0);
+    check_step(-30.0, 0.5, 1.0);
+    check_step(80.0, 0.4, 2.0);
+    check_step(-80.0, 0.5, 2.0);
 }
 
 #[test]
@@ -324,8 +324,8 @@ fn trackbench_calm() {
         "TB0_calm_15kn",
         &[
             ("leg_settled_max_m", 5.0),
-            ("arc_max_m", 15.0),
-            ("hdg_overshoot_max_deg", 8.0),
+            ("arc_max_m", 10.0),
+            ("capture_overshoot_m", 10.0),
         ],
     );
 }
@@ -340,7 +340,10 @@ fn trackbench_in_waves_and_current() {
             ("leg_all_rms_m", 10.0),
             ("arc_max_m", 30.0),
             ("arc_rms_m", 15.0),
+            ("capture_overshoot_m", 10.0),
             ("hdg_overshoot_max_deg", 8.0),
+            ("rudder_travel_settled_deg_per_min", 15.0),
+            ("rudder_reversals_settled_per_min", 6.0),
         ],
     );
 }

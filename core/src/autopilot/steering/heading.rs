@@ -1,10 +1,11 @@
 //! Heading: a reference that a ship can follow, and the regulator that keeps her on it.
 //!
 //! ```text
-//! delta = delta_ss(r_d) + c (T/K) r_d' - K_p e - K_d (r - r_d) - K_i int e      [rad]
+//! delta = f(r_d, r_d') - K_p e - K_d (r - r_d) - K_i int e                      [rad]
 //! K_p = w^2 T/K,  K_d = (2 zeta w T - 1)/K,  K_i = i w K_p                       e = psi - psi_d
 //! ```
-//! Fossen 2021, 15.3.4, with the steady-turn inverse `delta_ss` for `r_d/K` and an S-shaped rate profile for
+//! Fossen 2021, 15.3.4, with the ship's model inverted (`f`, steady turn `delta_ss` and both time
+//! constants) for the feed-forward and an S-shaped rate profile for
 //! the third-order reference model, whose acceleration winds up where the rate is limited. The bias in
 //! `delta_ss` is learned by the integral; it is held in turns and runs back while the order is cut (3.3).
 
@@ -62,6 +63,7 @@ const RISE: f64 = 4.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Regulator {
     integral: f64,
+    quick: f64,
 }
 
 /// What moves the rudder, rad.
@@ -102,12 +104,13 @@ impl Regulator {
             self.integral += (-ki * error - cut / tracking) * dt;
         }
         self.integral = self.integral.clamp(-LARGEST_BIAS, LARGEST_BIAS);
-        let inertia = settings.inertia_share * ship.inertia;
+        let feedforward = ship.rudder_for(reference.rate, reference.acceleration, self.quick);
+        self.quick = ship.quick_rate(self.quick, feedforward, dt);
         Terms {
             proportional: -kp * error,
             integral: self.integral,
             rate: -kd * (rate - reference.rate),
-            feedforward: ship.steady_rudder(reference.rate) + inertia * reference.acceleration,
+            feedforward,
         }
     }
 }

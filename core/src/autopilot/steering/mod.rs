@@ -94,6 +94,9 @@ enum Law {
     Track,
 }
 
+/// Part of the rudder limit that a heading change is planned with.
+const RUDDER_SHARE: f64 = 0.7;
+
 /// The steering: settings, and all state of the laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Steering {
@@ -175,6 +178,7 @@ impl Steering {
             dt,
         );
         let sailing = self.ground.step(m, &motion, surge, settings, dt);
+        let limit = rudder_limit.deg().min(self.settings.rudder_max.deg());
         let mut cross_track = None;
         match (demand, sailing.position) {
             (Demand::Track(path), Some(p)) => {
@@ -200,6 +204,10 @@ impl Steering {
                     TurnBy::Rate(rate) => rate.rad_per_s(),
                     TurnBy::Free => self.settings.free_rate.rad_per_s(),
                 };
+                // No faster than the ship can: the rest of the rudder is left to the regulator.
+                let side = wrap(set.rad() - self.reference.heading);
+                let rudder = libm::copysign(RUDDER_SHARE * limit.to_radians(), side);
+                let rate = libm::fabs(rate).min(ship.steady_rate(rudder));
                 let acceleration = self.settings.turn_acceleration.to_radians();
                 let most = acceleration * ship.ratio * ship.ratio;
                 self.reference.step(wrap(set.rad()), rate, most, dt);
@@ -213,7 +221,6 @@ impl Steering {
             self.cut,
             dt,
         );
-        let limit = rudder_limit.deg().min(self.settings.rudder_max.deg());
         let order = self
             .rudder
             .step(terms.sum().to_degrees(), limit, self.settings.slew, dt);

@@ -4,7 +4,8 @@
 //! xi'    = psi_w                                       waves, xi [rad s], psi_w [rad]
 //! psi_w' = -w0^2 xi - 2 lambda w0 psi_w + w1           w0 [rad/s], lambda 0.1
 //! psi'   = r                                           [rad]
-//! r'     = (K/T) (delta - delta_ss(r) - b) + w2        [rad/s], Norrbin instead of Nomoto
+//! r'     = (delta - delta_ss(r) - b)/J + q' + w2       [rad/s], Norrbin instead of Nomoto, J slow inertia
+//! q'     = (B K delta - q)/T2                          [rad/s], the part of the rate that answers at once
 //! b'     = w3                                          rudder bias [rad]
 //! y1 = psi + psi_w + v1,   y2 = r + psi_w' + v2        gyro, rate of turn sensor
 //! ```
@@ -19,6 +20,11 @@ use serde::{Deserialize, Serialize};
 const GYRO_DEVIATION: f64 = 0.0020;
 const RATE_DEVIATION: f64 = 0.00040;
 const BIAS_NOISE: f64 = 1.0e-4;
+/// Part of the waves' rate of turn that their model does not foresee.
+const ROUGHNESS: f64 = 1.5;
+/// Time in which the sea is learned, s, and the largest yaw counted, rad^2.
+const SEA_TIME: f64 = 100.0;
+const LARGEST_YAW: f64 = 0.005;
 const DAMPING: f64 = 0.1;
 const JUMP: f64 = 0.14;
 const JUMP_TIME: f64 = 1.0;
@@ -28,8 +34,11 @@ const JUMP_TIME: f64 = 1.0;
 pub(super) struct Observer {
     x: [f64; 5],
     p: [[f64; 5]; 5],
+    quick: f64,
     sway: f64,
     jumped: f64,
+    /// Variance of the yaw by waves, rad^2.
+    waves: f64,
     begun: bool,
 }
 
@@ -47,8 +56,10 @@ impl Observer {
         Self {
             x: [0.0; 5],
             p: [[0.0; 5]; 5],
+            quick: 0.0,
             sway: 0.0,
             jumped: 0.0,
+            waves: 0.0,
             begun: false,
         }
     }
@@ -77,6 +88,9 @@ impl Observer {
         if !self.begun {
             self.begin(heading, rate);
             self.sway = -settings.sway * rate;
+            self.quick = ship.quick_gain * rudder;
+            let expected = settings.wave_yaw.to_radians();
+            self.waves = expected * expected;
         }
         self.predict(rudder, ship, settings, dt);
         let innovation = wrap(heading - self.x[2] - self.x[1]);
@@ -87,11 +101,14 @@ impl Observer {
             }
         } else {
             self.jumped = 0.0;
+            self.learn_waves(wrap(heading - self.x[2]), dt);
             self.correct(innovation, [0.0, 1.0, 1.0, 0.0, 0.0], GYRO_DEVIATION, dt);
             let w = settings.wave_frequency;
             let row = [-w * w, -2.0 * DAMPING * w, 0.0, 1.0, 0.0];
             let expected: f64 = row.iter().zip(self.x).map(|(h, x)| h * x).sum();
-            self.correct(rate - expected, row, RATE_DEVIATION, dt);
+            let rough = ROUGHNESS * w * libm::sqrt(self.waves);
+            let deviation = libm::hypot(RATE_DEVIATION, rough);
+            self.correct(rate - expected, row, deviation, dt);
         }
         self.x[2] = wrap(self.x[2]);
         let lag = settings.sway_lag / ship.ratio;
@@ -101,6 +118,14 @@ impl Observer {
             rate: self.x[3],
             sway: self.sway,
         }
+    }
+
+    /// Learns the sea from the difference between the gyro and the estimate.
+    fn learn_waves(&mut self, yaw: f64, dt: f64) {
+        let heard = (yaw * yaw - GYRO_DEVIATION * GYRO_DEVIATION)
+            .max(0.0)
+            .min(LARGEST_YAW);
+        self.waves += (heard - self.waves) * dt / SEA_TIME;
     }
 
     fn predict(&mut self, rudder: f64, ship: &Ship, settings: &SteeringSettings, dt: f64) {
@@ -118,22 +143,24 @@ impl Observer {
         f[1][1] = fade * (cosine - DAMPING * w / damped * sine);
         f[2][2] = 1.0;
         f[2][3] = dt;
-        f[3][3] = 1.0 - dt * (ship.steady_slope(self.x[3]) / ship.inertia).min(1.0);
-        f[3][4] = -dt / ship.inertia;
+        f[3][3] = 1.0 - dt * (ship.steady_slope(self.x[3]) / ship.slow_inertia).min(1.0);
+        f[3][4] = -dt / ship.slow_inertia;
         f[4][4] = 1.0;
         let drive = rudder - ship.steady_rudder(self.x[3]) - self.x[4];
         let [a, b, heading, rate, bias] = self.x;
+        let quick = ship.quick_rate(self.quick, rudder, dt);
+        let kick = quick - self.quick;
+        self.quick = quick;
         self.x = [
             f[0][0] * a + f[0][1] * b,
             f[1][0] * a + f[1][1] * b,
             heading + dt * rate,
-            rate + dt * drive / ship.inertia,
+            rate + dt * drive / ship.slow_inertia + kick,
             bias.clamp(-0.2, 0.2),
         ];
-        let waves = settings.wave_yaw.to_radians();
         let q = [
             0.0,
-            4.0 * DAMPING * w * waves * waves * dt,
+            4.0 * DAMPING * w * self.waves * dt,
             0.0,
             settings.yaw_disturbance * settings.yaw_disturbance * ship.ratio * dt,
             BIAS_NOISE * BIAS_NOISE * dt,

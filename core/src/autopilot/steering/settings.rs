@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 
 /// The ship as the laws see her, and the gains. The default is the Mariner at 15 knots.
 ///
-/// Nomoto: `T r' + r = K delta`, with `K = K0 U/U0` and `T = T0 U0/U`. Steady turn:
+/// Nomoto: `T r' + r = K delta`, with `K = K0 U/U0` and `T = T0 U0/U`; in the second order a part `B` of the
+/// gain has the time constant `T2` and the rest `T1 = (T - B T2)/(1 - B)`. Steady turn:
 /// `delta = c0 + c1 q + c3 q^3 + c5 q^5`, `q = r L/U`, fitted to a spiral or learned on board.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SteeringSettings {
@@ -21,8 +22,10 @@ pub struct SteeringSettings {
     pub steady_turn: [f64; 4],
     /// Largest rudder for which the steady-turn curve was fitted.
     pub steady_turn_limit: RudderAngle,
-    /// Part of `T/K` that an acceleration of the reference is given as rudder, 0 to 1.
-    pub inertia_share: f64,
+    /// Part of the gain that acts at once, with `quick_time`: second-order Nomoto; 0 for first order.
+    pub quick_share: f64,
+    /// Time constant of the quick part at the reference speed, s.
+    pub quick_time: f64,
     /// Sway for each unit of turn: `v = -sway r`, metres.
     pub sway: f64,
     /// Lag of the sway behind the turn, s at the reference speed.
@@ -76,7 +79,8 @@ impl Default for SteeringSettings {
             time_constant: 107.3,
             steady_turn: [-0.0222, 0.287, 10.62, 85.1],
             steady_turn_limit: RudderAngle::from_deg(28.0),
-            inertia_share: 0.5,
+            quick_share: 0.097,
+            quick_time: 7.8,
             sway: 73.0,
             sway_lag: 5.0,
             natural_frequency: 0.05,
@@ -86,9 +90,9 @@ impl Default for SteeringSettings {
             cross_track_integral: 0.1,
             approach_angle: 30.0,
             curvature_window: 45.0,
-            curvature_lead: 2.0,
+            curvature_lead: 0.0,
             current_time: 50.0,
-            fix_time: 10.0,
+            fix_time: 15.0,
             yaw_disturbance: 4.0e-6,
             slew: 5.0,
             rudder_max: RudderAngle::from_deg(35.0),
@@ -111,6 +115,12 @@ pub(super) struct Ship {
     pub(super) ratio: f64,
     /// `T/K`, s^2.
     pub(super) inertia: f64,
+    /// `T1/((1 - B) K)`: the inertia of the slow part, s^2.
+    pub(super) slow_inertia: f64,
+    /// `B K`, 1/s.
+    pub(super) quick_gain: f64,
+    /// `T2`, s.
+    pub(super) quick_time: f64,
     length: f64,
     curve: [f64; 4],
     curve_limit: f64,
@@ -129,10 +139,15 @@ impl SteeringSettings {
         let speed = speed.max(self.minimum_speed.mps()).max(0.5);
         let ratio = speed / reference;
         let inertia = self.time_constant / self.gain / (ratio * ratio);
+        let share = self.quick_share.clamp(0.0, 0.5);
+        let slow = (self.time_constant - share * self.quick_time) / (1.0 - share);
         Ship {
             speed,
             ratio,
             inertia,
+            slow_inertia: slow / ((1.0 - share) * self.gain) / (ratio * ratio),
+            quick_gain: share * self.gain * ratio,
+            quick_time: (self.quick_time / ratio).max(1.0),
             length: self.length,
             curve: self.steady_turn,
             curve_limit: self.steady_turn_limit.rad(),
@@ -147,6 +162,34 @@ impl Ship {
         let q2 = q * q;
         let [c0, c1, c3, c5] = self.curve;
         (c0 + q * (c1 + q2 * (c3 + q2 * c5))).clamp(-self.curve_limit, self.curve_limit)
+    }
+
+    /// The quick part of the rate after `dt` with that rudder, rad/s.
+    pub(super) fn quick_rate(&self, now: f64, rudder: f64, dt: f64) -> f64 {
+        now + (self.quick_gain * rudder - now) * (dt / self.quick_time).min(1.0)
+    }
+
+    /// Rudder that gives rate and acceleration while the quick part is `quick`: the model inverted.
+    pub(super) fn rudder_for(&self, rate: f64, acceleration: f64, quick: f64) -> f64 {
+        let slow = 1.0 / self.slow_inertia;
+        let steady = self.steady_rudder(rate) * slow;
+        (acceleration + steady + quick / self.quick_time)
+            / (slow + self.quick_gain / self.quick_time)
+    }
+
+    /// The rate of turn that `rudder` (rad) holds, to the side of its sign, rad/s.
+    pub(super) fn steady_rate(&self, rudder: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 0.3 * self.speed / self.length);
+        for _ in 0..12 {
+            let middle = 0.5 * (low + high);
+            let needed = libm::fabs(self.steady_rudder(libm::copysign(middle, rudder)));
+            if needed < libm::fabs(rudder) {
+                low = middle
+            } else {
+                high = middle
+            }
+        }
+        low
     }
 
     /// Slope of the steady-turn curve, rad of rudder for each rad/s.

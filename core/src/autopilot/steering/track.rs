@@ -48,11 +48,13 @@ pub(super) struct Steer {
 }
 
 const FADE_TIME: f64 = 10.0;
+/// Part of the smoothed path's offset that is sailed; the rest is worked off towards the planned arc.
+const OFFSET_KEPT: f64 = 0.25;
 /// Fastest change of the approach angle, rad/s at the reference speed.
 const APPROACH_RATE: f64 = 0.006;
 /// Rate at which the approach angle is taken off, rad/s at the reference speed.
 const BRAKE_RATE: f64 = 0.0035;
-const APPROACH_LAG: f64 = 4.0;
+const APPROACH_LAG: f64 = 6.0;
 
 impl Guidance {
     /// One step from position `p` and the ground estimate.
@@ -96,7 +98,7 @@ impl Guidance {
 
         let made_good = libm::atan2(sailing.velocity.east, sailing.velocity.north);
         let look_ahead = (settings.look_ahead * settings.reference_speed.mps()).max(10.0);
-        let across = here.cross_track - smooth.offset;
+        let across = here.cross_track - OFFSET_KEPT * smooth.offset;
         let straight = ahead.curvature == 0.0 && smooth.curvature == 0.0;
         if straight && libm::fabs(across) < 0.1 * look_ahead {
             let rate = settings.cross_track_integral * ground_speed / look_ahead;
