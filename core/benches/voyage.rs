@@ -26,7 +26,10 @@ fn main() {
     println!("steps of a second each, median of 2000 after 130 s under track control:");
     let mut voyage = Voyage::embedded(1);
     voyage.handle(Stamp(130_000), Event::Tick, &mut out);
-    let autopilot = voyage.autopilot().expect("the embedded voyage has one").clone();
+    let autopilot = voyage
+        .autopilot()
+        .expect("the embedded voyage has one")
+        .clone();
     let mut times: Vec<f64> = (0..2_000)
         .map(|_| {
             let mut autopilot = autopilot.clone();
@@ -39,5 +42,8 @@ fn main() {
         })
         .collect();
     times.sort_by(f64::total_cmp);
-    println!("autopilot: {:.2} us a control step (99 %: {:.2} us)", times[1_000], times[1_980]);
+    println!(
+        "autopilot: {:.2} us a control step (99 %: {:.2} us)",
+        times[1_000], times[1_980]
+    );
 }

@@ -5,10 +5,10 @@ use super::modes::{Cause, Event};
 use super::steering::Measured;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
-use crate::limits::Quantity;
+use crate::limits::{Quantity, limits};
 use crate::picture::Heard;
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn, Speed};
+use crate::units::{Heading, RateOfTurn, Speed, Turn};
 use alloc::format;
 
 impl Autopilot {
@@ -27,8 +27,15 @@ impl Autopilot {
 
     pub(super) fn read_sensors(&mut self, now: Stamp) {
         let rate = self.fresh(self.picture.rate(now), Quantity::RateOfTurn);
-        let read = self.fresh(self.picture.heading(now), Quantity::Heading);
-        let sensed = rate.unwrap_or_default();
+        let sensed = rate.unwrap_or(self.rate);
+        // A slow compass is carried on by the rate of turn until it is heard again.
+        let read = self
+            .fresh(self.picture.heading(now), Quantity::Heading)
+            .zip(self.picture.heading(now))
+            .map(|(read, heard)| {
+                let age = now.since(heard.at) as f64 / 1000.0;
+                read + Turn::from_deg(sensed.deg_per_s() * age)
+            });
         let judged = read.map(|read| {
             self.heading_guard
                 .judge(now, read, sensed, self.settings.heading_jump)
@@ -49,6 +56,7 @@ impl Autopilot {
         self.rate =
             rate.unwrap_or_else(|| derived_rate(before, self.heading, self.rate, self.step_ms()));
         if self.heading.is_none()
+            && !self.recovers(now)
             && self.mode != Mode::Standby
             && !matches!(self.mode, Mode::RudderHold { .. })
         {
@@ -62,6 +70,13 @@ impl Autopilot {
             self.apply(now, &Event::HeadingLost, &format!("{why}: rudder held"));
         }
         self.read_position(now);
+    }
+
+    /// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
+    fn recovers(&self, now: Stamp) -> bool {
+        let (_, lost) = limits(Quantity::Heading);
+        self.fresh_after
+            .is_some_and(|after| now.since(after) <= lost)
     }
 
     pub(super) fn read_position(&mut self, now: Stamp) {
