@@ -100,8 +100,6 @@ pub struct Voyage {
     outside: Vec<(Role, PortIndex)>,
     up: Vec<bool>,
     shown: Role,
-    /// Picture of the shown station, where that is not the autopilot.
-    picture: Option<Picture>,
     line: u64,
     embedded: Option<Route>,
     officer: Officer,
@@ -255,9 +253,6 @@ impl Voyage {
                     }
                 }
                 Output::Line { port, dir, text } if from == self.shown => {
-                    if let Some(picture) = &mut self.picture {
-                        picture.fold(now, port, dir, &text);
-                    }
                     self.line += 1;
                     let text = text.iter().map(|byte| char::from(*byte)).collect();
                     out.push(VoyageOutput::Line(Line(self.line, now.0, port, dir, text)));
@@ -315,9 +310,9 @@ impl Voyage {
     #[must_use]
     pub fn picture(&self) -> &Picture {
         static EMPTY: Picture = Picture::empty();
-        match (&self.picture, &self.autopilot) {
-            (Some(picture), _) => picture,
-            (None, Some(autopilot)) => autopilot.picture(),
+        match (&self.autopilot, &self.chart) {
+            (Some(autopilot), _) => autopilot.picture(),
+            (None, Some(chart)) => chart.picture(),
             (None, None) => &EMPTY,
         }
     }

@@ -6,7 +6,6 @@ use super::officer::Officer;
 use crate::autopilot::Autopilot;
 use crate::autopilot::steering::SteeringSettings;
 use crate::chart_system::{ChartConfig, ChartSystem};
-use crate::picture::Picture;
 use crate::route;
 use crate::settings::Settings;
 use crate::station::{ChecksumPolicy, PortIndex, PortSetup, Profile};
@@ -132,11 +131,6 @@ impl Voyage {
             .into_iter()
             .find(|role| runs(*role))
             .unwrap_or(Role::Autopilot);
-        let shown_ports = match shown {
-            Role::Autopilot => None,
-            Role::ChartSystem => Some(chart_ports.clone()),
-            Role::World => Some(world_ports.clone()),
-        };
         let now = Stamp(0);
         let up = vec![false; outside.len()];
         Self {
@@ -158,7 +152,6 @@ impl Voyage {
             outside,
             up,
             shown,
-            picture: shown_ports.map(Picture::new),
             line: 0,
             embedded: None,
             officer: Officer::new(now, false),
