@@ -1,8 +1,220 @@
-//! Both directions of the dialogue, live.
+//! The dialogue page: the latest line of every sentence in both directions, live; a tap on a field explains it.
+
+use crate::deck::Deck;
+use crate::explained::{Chips, Explained, explain};
+use crate::heard::Lane;
+use crate::{format, situation};
 use leptos::prelude::*;
+use wheelover_core::station::Direction;
+use wheelover_core::stream::Line;
+
+/// A sentence and the field of it that is looked at.
+type Chosen = RwSignal<Option<(Lane, usize)>>;
 
 /// The dialogue page.
 #[component]
 pub(crate) fn Dialogue() -> impl IntoView {
-    view! { <main class="talk"></main> }
+    let deck = Deck::here();
+    let port = RwSignal::new(0_usize);
+    let chosen: Chosen = RwSignal::new(None);
+    let names = Memo::new(move |_| {
+        deck.greeting
+            .with(|g| g.as_ref().map(|g| g.ports.clone()).unwrap_or_default())
+    });
+    // The chart system's port is what this page is for.
+    Effect::new(move |_| {
+        if let Some(index) = names.with(|names| names.iter().position(|name| name == "ecdis")) {
+            port.set(index);
+        }
+    });
+    let now = Memo::new(move |_| situation::current(deck));
+    let station = move || {
+        deck.greeting.with(|g| {
+            g.as_ref()
+                .map(|g| g.station.replace('_', " "))
+                .unwrap_or_default()
+        })
+    };
+    let ports = move || {
+        names
+            .get()
+            .into_iter()
+            .enumerate()
+            .map(|(index, name)| {
+                let command = format!("port-{name}");
+                view! {
+                    <button
+                        type="button"
+                        data-command=command
+                        aria-pressed=move || if port.get() == index { "true" } else { "false" }
+                        on:click=move |_| port.set(index)
+                    >
+                        {name}
+                    </button>
+                }
+            })
+            .collect_view()
+    };
+    view! {
+        <main class="talk">
+            <header>
+                <span class="situation" data-value="situation" data-state="valid">
+                    {move || match now.get() {
+                        Some(n) => format!("Situation {n}: {}", situation::words(n)),
+                        None => "Situation not known".to_owned(),
+                    }}
+                </span>
+                <span class="sources"></span>
+                <span class="caption">"PORT"</span>
+                {ports}
+            </header>
+            <section class="lane" data-lane="in">
+                <h2>{move || format!("to the {}", station())}</h2>
+                <LaneRows port heard=true chosen/>
+            </section>
+            <section class="lane" data-lane="out">
+                <h2>{move || format!("from the {}", station())}</h2>
+                <LaneRows port heard=false chosen/>
+            </section>
+            <Looked chosen/>
+            <Log port/>
+        </main>
+    }
+}
+
+/// The latest line of each sentence in one direction.
+#[component]
+fn LaneRows(port: RwSignal<usize>, heard: bool, chosen: Chosen) -> impl IntoView {
+    let deck = Deck::here();
+    let lanes = Memo::new(move |_| {
+        deck.readings.track();
+        deck.with_fold(|fold| {
+            let port = port.get();
+            fold.latest
+                .keys()
+                .filter(|(at, out, _)| *at == port && *out != heard)
+                .cloned()
+                .collect::<Vec<_>>()
+        })
+    });
+    view! {
+        <For each=move || lanes.get() key=|lane| lane.clone() let:lane>
+            <Row lane chosen/>
+        </For>
+        <p class="quiet" class:hidden=move || lanes.with(|lanes| !lanes.is_empty())>"nothing yet"</p>
+    }
+}
+
+#[component]
+fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
+    let deck = Deck::here();
+    let (line, when) = latest(deck, lane.clone());
+    let text = Memo::new(move |_| {
+        line.with(|line| line.as_ref().map(|line| line.4.clone()).unwrap_or_default())
+    });
+    let mine = StoredValue::new(lane.clone());
+    let field = Signal::derive(move || {
+        chosen.with(|chosen| match chosen {
+            Some((lane, field)) if mine.with_value(|mine| mine == lane) => Some(*field),
+            _ => None,
+        })
+    });
+    let choose = Callback::new(move |field| chosen.set(Some((mine.get_value(), field))));
+    view! {
+        <div class="line-row" class:selected=move || field.get().is_some() data-line=lane.2>
+            <span class="when">{move || when.get()}</span>
+            {move || view! { <Chips text=text.get() chosen=field choose/> }}
+        </div>
+    }
+}
+
+/// The latest line of a lane, and its age and period in words.
+fn latest(deck: Deck, lane: Lane) -> (Memo<Option<Line>>, Memo<String>) {
+    let key = StoredValue::new(lane);
+    let found = Memo::new(move |_| {
+        deck.readings.track();
+        deck.with_fold(|fold| key.with_value(|key| fold.latest.get(key).cloned()))
+    });
+    let line =
+        Memo::new(move |_| found.with(|found| found.as_ref().map(|found| found.line.clone())));
+    let when = Memo::new(move |_| {
+        let now = deck.readings.with(|readings| readings.now.0);
+        found.with(|found| {
+            found.as_ref().map_or_else(String::new, |found| {
+                let age = now.saturating_sub(found.line.1);
+                if age > 2_000 {
+                    format!("{} ago", format::seconds(age))
+                } else {
+                    format!("{:.1} s", found.period as f64 / 1_000.0)
+                }
+            })
+        })
+    });
+    (line, when)
+}
+
+/// The table of the sentence that is looked at.
+#[component]
+fn Looked(chosen: Chosen) -> impl IntoView {
+    let deck = Deck::here();
+    let text = Memo::new(move |_| {
+        deck.readings.track();
+        chosen.with(|chosen| {
+            let (lane, _) = chosen.as_ref()?;
+            deck.with_fold(|fold| fold.latest.get(lane).map(|latest| latest.line.4.clone()))
+        })
+    });
+    let field =
+        Signal::derive(move || chosen.with(|chosen| chosen.as_ref().map(|(_, field)| *field)));
+    view! {
+        <section class="looked">
+            {move || match text.get() {
+                Some(text) => view! { <Explained line=explain(0, &text) chosen=field/> }.into_any(),
+                None => view! { <p class="explained quiet">"Tap a field: it is explained here."</p> }.into_any(),
+            }}
+        </section>
+    }
+}
+
+/// The last lines as they came.
+#[component]
+fn Log(port: RwSignal<usize>) -> impl IntoView {
+    let deck = Deck::here();
+    let held = RwSignal::new(false);
+    let text = Memo::new(move |before: Option<&String>| {
+        deck.readings.track();
+        if held.get()
+            && let Some(before) = before
+        {
+            return before.clone();
+        }
+        let port = port.get();
+        deck.with_fold(|fold| {
+            let lines: Vec<_> = fold
+                .log
+                .iter()
+                .rev()
+                .filter(|line| line.2 == port)
+                .take(40)
+                .map(|Line(_, at, _, dir, text)| {
+                    let arrow = if *dir == Direction::In { '<' } else { '>' };
+                    format!("{:9.3} {arrow} {text}", *at as f64 / 1_000.0)
+                })
+                .collect();
+            lines.join("\n")
+        })
+    });
+    view! {
+        <section class="lane log">
+            <button
+                type="button"
+                data-command="hold-log"
+                aria-pressed=move || if held.get() { "true" } else { "false" }
+                on:click=move |_| held.update(|held| *held = !*held)
+            >
+                "HOLD"
+            </button>
+            <pre>{move || text.get()}</pre>
+        </section>
+    }
 }

@@ -37,6 +37,8 @@ mod decoder;
 #[cfg(target_arch = "wasm32")]
 mod dialogue;
 #[cfg(target_arch = "wasm32")]
+mod explained;
+#[cfg(target_arch = "wasm32")]
 mod link;
 #[cfg(target_arch = "wasm32")]
 mod palette;
