@@ -285,4 +285,4 @@ impl ChartSystem {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

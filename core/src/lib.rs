@@ -7,6 +7,7 @@ extern crate alloc;
 pub mod alerts;
 pub mod autopilot;
 pub mod chart_system;
+pub mod conformance;
 pub mod geo;
 pub mod limits;
 pub mod nmea;

@@ -1,5 +1,6 @@
 //! The chart system fed with the bytes of a ship that is moved along its route.
 
+mod dialogue;
 mod heading_control;
 mod indications;
 mod position;
@@ -46,6 +47,7 @@ fn route() -> Route {
 #[derive(Debug, Default)]
 struct Said {
     formatters: Vec<String>,
+    lines: Vec<String>,
     htc: Htc,
     xte: Xte,
     pney1: Pney1,
@@ -55,7 +57,8 @@ struct Said {
     vhw: Vhw,
 }
 
-struct Bench {
+pub(crate) struct Bench {
+    route: Route,
     chart: ChartSystem,
     now: u64,
     /// Distance run along the track, and the ship's distance to the right of it.
@@ -67,7 +70,7 @@ struct Bench {
 }
 
 impl Bench {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let config = ChartConfig {
             route: Some(route()),
             ..ChartConfig::default()
@@ -75,6 +78,7 @@ impl Bench {
         let mut chart = ChartSystem::new(config);
         chart.handle(Stamp(0), Input::Tick, &mut vec![]);
         Self {
+            route: route(),
             chart,
             now: 0,
             run: 200.0,
@@ -87,7 +91,7 @@ impl Bench {
 
     /// Place and course on the track after a run of so many metres.
     fn place(&self) -> (Position, Course) {
-        let route = route();
+        let route = &self.route;
         let mut left = self.run;
         for (index, leg) in route.legs().iter().enumerate() {
             let from = index
@@ -194,6 +198,7 @@ impl Bench {
                 "{sentence:?}"
             );
             said.formatters.push(sentence.formatter.into());
+            said.lines.push(String::from_utf8_lossy(line).into_owned());
             if let Some(view) = Htc::from_sentence(&sentence) {
                 said.htc = view;
             } else if let Some(view) = Xte::from_sentence(&sentence) {

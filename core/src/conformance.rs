@@ -1,0 +1,330 @@
+//! The dialogue checker (CON-1): takes the lines of both directions, recorded or live, and reports each breach.
+//!
+//! In: lines with their time and number. Out: [`Breach`]es, and which situation lasted from when to when.
+//! It is outside the control path: nothing steers by it (CON-2).
+//!
+//! Lines of the chart system belong together in bursts, one a second; a burst is judged when it is complete.
+//! Without times a burst counts as a second, and cadence is not judged.
+
+mod autopilot;
+mod cadence;
+mod chart;
+mod timed;
+
+pub use timed::{Timed, timed};
+
+use crate::nmea::{self, FaultKind, Gll, Htc, Pney1, Pney2, Sentence, Xte};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+use autopilot::AutopilotRules;
+use cadence::Cadence;
+use chart::ChartRules;
+use serde::{Deserialize, Serialize};
+
+/// What the chart system sends each second.
+const CHART: [&str; 7] = ["HTC", "XTE", "PNEY,001", "PNEY,002", "GLL", "VTG", "VHW"];
+/// What the autopilot sends each second.
+const AUTOPILOT: [&str; 3] = ["HTD", "RSA", "ROR"];
+/// Lines farther apart belong to different bursts, seconds.
+const BURST_GAP_S: f64 = 0.25;
+
+/// A breach of the rules of the dialogue.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Breach {
+    /// Time of the line, seconds; null where the lines have no time.
+    pub at: Option<f64>,
+    /// Number of the line at which it was seen.
+    pub line: u64,
+    /// The rule, by its ID.
+    pub rule: String,
+    /// Situation in force; null in heading control and before the first HTC.
+    pub situation: Option<u8>,
+    /// What is wrong.
+    pub text: String,
+}
+
+/// A situation and how long it lasted.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Span {
+    /// 1 to 6.
+    pub situation: u8,
+    /// Time of its first burst, seconds.
+    pub from: Option<f64>,
+    /// Time of its last burst, seconds.
+    pub to: Option<f64>,
+}
+
+/// What the chart system said in one second.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Burst {
+    line: u64,
+    at: Option<f64>,
+    last: Option<f64>,
+    heard: Vec<String>,
+    htc: Option<Htc>,
+    xte: Option<Xte>,
+    pney1: Option<Pney1>,
+    pney2: Option<Pney2>,
+    gll: Option<Gll>,
+}
+
+/// Collects breaches with the moment they belong to.
+struct Report<'a> {
+    at: Option<f64>,
+    line: u64,
+    situation: Option<u8>,
+    breaches: &'a mut Vec<Breach>,
+}
+
+impl Report<'_> {
+    fn breach(&mut self, rule: &str, text: impl Into<String>) {
+        self.breaches.push(Breach {
+            at: self.at,
+            line: self.line,
+            rule: rule.into(),
+            situation: self.situation,
+            text: text.into(),
+        });
+    }
+}
+
+/// The checker of one dialogue.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Checker {
+    chart: ChartRules,
+    autopilot: AutopilotRules,
+    chart_cadence: Cadence,
+    autopilot_cadence: Cadence,
+    burst: Burst,
+    chart_talker: String,
+    autopilot_talker: String,
+    bursts: u64,
+    line: u64,
+    lines: u64,
+    breaches: u64,
+    last: Option<f64>,
+    spans: Vec<Span>,
+}
+
+impl Checker {
+    /// A checker that has heard nothing.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes the next line; `at` in seconds, `number` as it is reported. Breaches go to `out`.
+    pub fn take(&mut self, number: u64, at: Option<f64>, text: &[u8], out: &mut Vec<Breach>) {
+        let before = out.len();
+        self.lines += 1;
+        self.line = number;
+        if let (Some(now), Some(last)) = (at, self.last)
+            && now < last - 1.0
+        {
+            // Another recording begins.
+            self.close(out);
+            self.chart_cadence = Cadence::default();
+            self.autopilot_cadence = Cadence::default();
+        }
+        self.last = at.or(self.last);
+        let sentence = nmea::decode(text);
+        if !sentence.formatter.is_empty() {
+            self.sentence(at, &sentence, out);
+        }
+        self.breaches += (out.len() - before) as u64;
+    }
+
+    /// The end of the dialogue: judges the last burst.
+    pub fn finish(&mut self, out: &mut Vec<Breach>) {
+        let before = out.len();
+        self.close(out);
+        if let Some(now) = self.last {
+            self.silences(now, out);
+        }
+        self.breaches += (out.len() - before) as u64;
+    }
+
+    /// The situation in force; none in heading control and before the first HTC.
+    #[must_use]
+    pub const fn situation(&self) -> Option<u8> {
+        self.chart.situation()
+    }
+
+    /// Each situation with its times, in order.
+    #[must_use]
+    pub fn spans(&self) -> &[Span] {
+        &self.spans
+    }
+
+    /// Number of lines taken.
+    #[must_use]
+    pub const fn lines(&self) -> u64 {
+        self.lines
+    }
+
+    /// Number of breaches reported.
+    #[must_use]
+    pub const fn breaches(&self) -> u64 {
+        self.breaches
+    }
+
+    fn sentence(&mut self, at: Option<f64>, sentence: &Sentence<'_>, out: &mut Vec<Breach>) {
+        match sentence.formatter {
+            "HTC" => self.chart_talker = sentence.talker.into(),
+            "HTD" => self.autopilot_talker = sentence.talker.into(),
+            _ => {}
+        }
+        let of_chart = CHART.contains(&sentence.formatter)
+            && (sentence.talker == self.chart_talker || sentence.talker == "P");
+        let of_autopilot =
+            AUTOPILOT.contains(&sentence.formatter) && sentence.talker == self.autopilot_talker;
+        if of_chart && self.ends_burst(at, sentence.formatter) {
+            self.close(out);
+        }
+        let usable = self.frame(at, sentence, out);
+        if let Some(now) = at {
+            if usable && of_chart {
+                self.chart_cadence.heard(now, sentence.formatter);
+            }
+            if usable && of_autopilot {
+                self.autopilot_cadence.heard(now, sentence.formatter);
+            }
+            self.silences(now, out);
+        }
+        if of_chart {
+            self.collect(at, sentence, usable);
+        } else if of_autopilot && usable {
+            let clock = self.clock(at);
+            let situation = self.situation();
+            let mut report = Report {
+                at,
+                line: self.line,
+                situation,
+                breaches: out,
+            };
+            self.autopilot
+                .heard(clock, sentence, &self.chart, &mut report);
+        }
+    }
+
+    /// SEN-1, SEN-2, SEN-4, SEN-5, SEN-6. False where the sentence may not be used.
+    fn frame(&self, at: Option<f64>, sentence: &Sentence<'_>, out: &mut Vec<Breach>) -> bool {
+        let faults = sentence.faults();
+        let situation = self.situation();
+        let mut report = Report {
+            at,
+            line: self.line,
+            situation,
+            breaches: out,
+        };
+        for fault in &faults {
+            let rule = match fault.kind {
+                FaultKind::TooLong(_) => "SEN-1",
+                FaultKind::BadChecksum { .. } | FaultKind::MissingChecksum(_) => "SEN-2",
+                FaultKind::MissingPart => "SEN-4",
+                FaultKind::FieldCount { .. } | FaultKind::ExtraField { .. } => "SEN-5",
+                _ => "SEN-6",
+            };
+            report.breach(rule, format!("{}: {fault}", sentence.formatter));
+        }
+        let whole = |kind: &FaultKind| {
+            matches!(
+                kind,
+                FaultKind::FieldCount { .. } | FaultKind::ExtraField { .. }
+            )
+        };
+        sentence.checksum.is_right() && !faults.iter().any(|fault| whole(&fault.kind))
+    }
+
+    /// A new burst begins after a pause, or where a sentence comes again.
+    fn ends_burst(&self, at: Option<f64>, formatter: &str) -> bool {
+        let paused =
+            matches!((at, self.burst.last), (Some(now), Some(last)) if now - last > BURST_GAP_S);
+        paused || self.burst.heard.iter().any(|heard| heard == formatter)
+    }
+
+    fn collect(&mut self, at: Option<f64>, sentence: &Sentence<'_>, usable: bool) {
+        let burst = &mut self.burst;
+        if burst.heard.is_empty() {
+            burst.line = self.line;
+            burst.at = at;
+        }
+        burst.last = at;
+        burst.heard.push(sentence.formatter.into());
+        if !usable {
+            return;
+        }
+        match sentence.formatter {
+            "HTC" => {
+                burst.line = self.line;
+                burst.htc = Htc::from_sentence(sentence);
+            }
+            "XTE" => burst.xte = Xte::from_sentence(sentence),
+            "PNEY,001" => burst.pney1 = Pney1::from_sentence(sentence),
+            "PNEY,002" => burst.pney2 = Pney2::from_sentence(sentence),
+            "GLL" => burst.gll = Gll::from_sentence(sentence),
+            _ => {}
+        }
+    }
+
+    /// Judges the burst that is complete.
+    fn close(&mut self, out: &mut Vec<Breach>) {
+        if self.burst.heard.is_empty() {
+            return;
+        }
+        let burst = core::mem::take(&mut self.burst);
+        self.bursts += 1;
+        let clock = burst.at.unwrap_or(self.bursts as f64);
+        self.chart.name(clock, &burst);
+        let situation = self.chart.situation();
+        match (self.spans.last_mut(), situation) {
+            (Some(span), Some(now)) if span.situation == now => span.to = burst.at,
+            (_, Some(situation)) => {
+                self.spans.push(Span {
+                    situation,
+                    from: burst.at,
+                    to: burst.at,
+                });
+            }
+            (_, None) => {}
+        }
+        let mut report = Report {
+            at: burst.at,
+            line: burst.line,
+            situation,
+            breaches: out,
+        };
+        self.chart.judge(&burst, &mut report);
+        self.autopilot.judge(clock, &self.chart, &mut report);
+    }
+
+    /// The checker's clock: the line's time, or a second for each burst.
+    fn clock(&self, at: Option<f64>) -> f64 {
+        at.unwrap_or(self.bursts as f64)
+    }
+
+    fn silences(&mut self, now: f64, out: &mut Vec<Breach>) {
+        let situation = self.situation();
+        let mut report = Report {
+            at: Some(now),
+            line: self.line,
+            situation,
+            breaches: out,
+        };
+        // In heading control only HTC is needed, and where the others were never sent (N 1.1, 1.2).
+        let all = self.chart.tracking() || self.chart_cadence.knows("XTE");
+        let needed = if all && !self.chart.heading_control() {
+            &CHART[..]
+        } else {
+            &CHART[..1]
+        };
+        self.chart_cadence.judge(now, needed, &mut report);
+        self.autopilot_cadence.judge(now, &AUTOPILOT, &mut report);
+        self.autopilot
+            .silence(now, self.chart_cadence.last("HTC"), &mut report);
+    }
+}
+
+#[cfg(test)]
+mod tests;

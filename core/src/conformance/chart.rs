@@ -1,0 +1,427 @@
+//! The chart system's side: the situation of each burst, and the rules of the situation table.
+
+use super::{Burst, Report};
+use crate::geo::{Plane, Point, Position};
+use crate::nmea::{CommandStatus, DataStatus, Htc, OverrideStatus, SteeringMode, TurnMode};
+use crate::units::wrap_180;
+use alloc::format;
+use alloc::string::String;
+use serde::{Deserialize, Serialize};
+
+/// Cross-track distances may differ by this much on a leg, nautical miles.
+const SAME_NM: f64 = 0.001;
+/// The distance to the arc may differ from the one that the centre gives by this much, nautical miles.
+const ARC_NM: f64 = 0.02;
+/// Headings may differ by this much, degrees.
+const SAME_DEG: f64 = 0.06;
+/// Track control ends within this time after the position is lost, seconds.
+const POSITION_S: f64 = 2.0;
+
+/// What the chart system last commanded, for the rules on the autopilot.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct Commanded {
+    pub(super) htc: Htc,
+    /// When this mode, this radius, this track began.
+    pub(super) mode_since: f64,
+    pub(super) radius_since: f64,
+    pub(super) track_since: f64,
+}
+
+/// The rules on the chart system.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct ChartRules {
+    situation: Option<u8>,
+    commanded: Option<Commanded>,
+    was_active: bool,
+    /// Track of the leg before the turn, degrees.
+    leg_track: Option<f64>,
+    turned: bool,
+    /// The mode has changed with this burst.
+    begun: bool,
+    waypoint: Option<String>,
+    /// Waypoint of the turn; changes where the radius ends, one burst sooner or later.
+    turn: TurnEnd,
+    had_radius: bool,
+    invalid_since: Option<f64>,
+}
+
+/// The waypoint and the end of a turn must come together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+enum TurnEnd {
+    #[default]
+    None,
+    /// The waypoint has changed; the radius must go in this burst.
+    WaypointFirst,
+    /// The radius has gone; the waypoint must change in this burst.
+    RadiusFirst,
+}
+
+impl ChartRules {
+    pub(super) const fn situation(&self) -> Option<u8> {
+        self.situation
+    }
+
+    pub(super) const fn commanded(&self) -> Option<&Commanded> {
+        self.commanded.as_ref()
+    }
+
+    fn mode(&self) -> Option<SteeringMode> {
+        self.commanded.as_ref()?.htc.steering_mode
+    }
+
+    pub(super) fn tracking(&self) -> bool {
+        self.mode() == Some(SteeringMode::TrackControl)
+    }
+
+    pub(super) fn heading_control(&self) -> bool {
+        self.mode() == Some(SteeringMode::HeadingControl)
+    }
+
+    /// Names the situation of a burst (CON-1).
+    pub(super) fn name(&mut self, clock: f64, burst: &Burst) {
+        let Some(htc) = burst.htc.clone() else { return };
+        let before = self.commanded.take();
+        let radius_before = before.as_ref().and_then(|c| c.htc.radius);
+        let tracked = before
+            .as_ref()
+            .is_some_and(|c| c.htc.steering_mode == Some(SteeringMode::TrackControl));
+        self.situation = match htc.steering_mode {
+            Some(SteeringMode::TrackControl) => {
+                if !tracked {
+                    self.turned = false;
+                }
+                Some(if htc.radius.is_some() {
+                    self.in_turn(burst)
+                } else {
+                    self.turned |= tracked && radius_before.is_some();
+                    if self.turned { 5 } else { 2 }
+                })
+            }
+            Some(SteeringMode::HeadingControl) => None,
+            Some(SteeringMode::StandAlone) => Some(self.not_active(burst)),
+            _ => Some(1),
+        };
+        self.was_active = !matches!(self.situation, Some(1));
+        self.begun = before.as_ref().map(|c| c.htc.steering_mode) != Some(htc.steering_mode);
+        let since = |same: fn(&Htc, &Htc) -> bool, at: fn(&Commanded) -> f64| {
+            before
+                .as_ref()
+                .filter(|c| same(&c.htc, &htc))
+                .map_or(clock, at)
+        };
+        self.commanded = Some(Commanded {
+            mode_since: since(|a, b| a.steering_mode == b.steering_mode, |c| c.mode_since),
+            radius_since: since(|a, b| a.radius == b.radius, |c| c.radius_since),
+            track_since: since(|a, b| a.track == b.track, |c| c.track_since),
+            htc,
+        });
+    }
+
+    /// 4 once the two distances part, until the radius is null; 3 before.
+    fn in_turn(&self, burst: &Burst) -> u8 {
+        if self.situation == Some(4) {
+            return 4;
+        }
+        let parted = match (distance(burst), control(burst)) {
+            (Some(display), Some(control)) => libm::fabs(display - control) > SAME_NM,
+            _ => false,
+        };
+        if parted && !self.before_arc(burst) {
+            4
+        } else {
+            3
+        }
+    }
+
+    /// Whether the position lies clearly before the beginning of the arc, on the leg before the turn.
+    fn before_arc(&self, burst: &Burst) -> bool {
+        let (Some((_, point)), Some(track)) = (about_centre(burst), self.leg_track) else {
+            return false;
+        };
+        let angle = track * core::f64::consts::PI / 180.0;
+        point.north * libm::cos(angle) + point.east * libm::sin(angle) < -50.0
+    }
+
+    /// 6 where control ended with the route, until distances or control come back; else 1.
+    fn not_active(&self, burst: &Burst) -> u8 {
+        let ended = burst
+            .xte
+            .as_ref()
+            .is_some_and(|xte| xte.cross_track.is_none())
+            && burst
+                .pney1
+                .as_ref()
+                .is_some_and(|pney1| pney1.cross_track.is_none())
+            && burst
+                .pney2
+                .as_ref()
+                .is_none_or(|pney2| pney2.waypoint.is_none());
+        if ended && self.was_active { 6 } else { 1 }
+    }
+
+    /// The rules on one burst, after it has been named.
+    pub(super) fn judge(&mut self, burst: &Burst, report: &mut Report<'_>) {
+        status(burst, report);
+        if let Some(htc) = &burst.htc {
+            header(htc, report);
+            match htc.steering_mode {
+                Some(SteeringMode::StandAlone) => stand_alone(htc, burst, report),
+                Some(SteeringMode::HeadingControl) => heading_control(htc, report),
+                Some(SteeringMode::TrackControl) => {
+                    track_control(htc, report);
+                    self.on_track(htc, burst, report);
+                }
+                Some(mode) => {
+                    report.breach("TCS-9", format!("HTC commands {}", mode.meaning()));
+                }
+                None => report.breach("SEN-4", "HTC without a steering mode"),
+            }
+            centre(htc, burst, report);
+            self.waypoint(htc, burst, report);
+            self.position(htc, burst, report);
+            if htc.steering_mode == Some(SteeringMode::TrackControl) && htc.radius.is_none() {
+                self.leg_track = htc.track;
+            }
+        }
+    }
+
+    /// XTE and PNEY,001 by situation.
+    fn on_track(&self, htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
+        let (Some(xte), Some(pney1)) = (&burst.xte, &burst.pney1) else {
+            return;
+        };
+        if xte.cross_track.is_none() {
+            report.breach("TCS-2", "XTE is null while track control is commanded");
+        }
+        if pney1.cross_track.is_none() {
+            report.breach("TCS-2", "PNEY,001 is null while track control is commanded");
+        }
+        let (Some(display), Some(control)) = (xte.cross_track, pney1.cross_track) else {
+            return;
+        };
+        if self.situation == Some(4) {
+            if let (Some(radius), Some((rho, _))) = (htc.radius, about_centre(burst)) {
+                let off = libm::fabs(radius - rho);
+                if libm::fabs(off - libm::fabs(display)) > ARC_NM {
+                    let text = format!(
+                        "XTE {:.4} nm, but the ship is {off:.4} nm off the arc",
+                        libm::fabs(display)
+                    );
+                    report.breach("TCS-1", text);
+                }
+            }
+        } else if libm::fabs(display - control) > SAME_NM {
+            let text = format!("XTE {display:.4} nm and PNEY,001 {control:.4} nm differ on a leg");
+            report.breach("TCS-1", text);
+        } else if display * control < 0.0 {
+            report.breach("TCS-1", "XTE and PNEY,001 are on different sides on a leg");
+        }
+    }
+
+    /// The identifier changes at activation and where the radius ends, nowhere else.
+    fn waypoint(&mut self, htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
+        let Some(pney2) = &burst.pney2 else { return };
+        let before = core::mem::replace(&mut self.waypoint, pney2.waypoint.clone());
+        if htc.steering_mode != Some(SteeringMode::TrackControl) {
+            self.turn = TurnEnd::None;
+            return;
+        }
+        let Some(now) = &pney2.waypoint else {
+            report.breach("TCS-1", "no waypoint while track control is commanded");
+            return;
+        };
+        let changed = before.as_ref().is_some_and(|before| before != now) && !self.begun;
+        let radius_went = htc.radius.is_none() && self.had_radius;
+        self.had_radius = htc.radius.is_some();
+        let text = |what: &str| {
+            format!(
+                "waypoint {what} ({} to {now})",
+                before.as_deref().unwrap_or("none")
+            )
+        };
+        self.turn = match (self.turn, changed, radius_went) {
+            (TurnEnd::None, true, true) => TurnEnd::None,
+            (TurnEnd::None, true, false) if htc.radius.is_some() => TurnEnd::WaypointFirst,
+            (TurnEnd::None, false, true) => TurnEnd::RadiusFirst,
+            (TurnEnd::None, true, false) => {
+                report.breach("TCS-1", text("changes on a leg"));
+                TurnEnd::None
+            }
+            (TurnEnd::None, false, false) => TurnEnd::None,
+            (TurnEnd::WaypointFirst, _, true) => TurnEnd::None,
+            (TurnEnd::WaypointFirst, _, false) => {
+                report.breach("TCS-1", "the waypoint changed before the end of the turn");
+                TurnEnd::None
+            }
+            (TurnEnd::RadiusFirst, true, _) => TurnEnd::None,
+            (TurnEnd::RadiusFirst, false, _) => {
+                report.breach(
+                    "TCS-1",
+                    "the waypoint does not change at the end of the turn",
+                );
+                TurnEnd::None
+            }
+        };
+    }
+
+    /// TCS-3: without a position the chart system ends track control itself.
+    fn position(&mut self, htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
+        let invalid = burst
+            .xte
+            .as_ref()
+            .is_some_and(|xte| xte.status == Some(DataStatus::Invalid));
+        let tracking = htc.steering_mode == Some(SteeringMode::TrackControl);
+        if !(invalid && tracking) {
+            self.invalid_since = None;
+            return;
+        }
+        let now = burst.at.unwrap_or(0.0);
+        let since = *self.invalid_since.get_or_insert(now);
+        if now - since > POSITION_S {
+            self.invalid_since = Some(f64::MAX);
+            report.breach(
+                "TCS-3",
+                "track control is commanded without a valid position",
+            );
+        }
+    }
+}
+
+fn distance(burst: &Burst) -> Option<f64> {
+    burst.xte.as_ref()?.cross_track
+}
+
+fn control(burst: &Burst) -> Option<f64> {
+    burst.pney1.as_ref()?.cross_track
+}
+
+/// The ship's distance from the radius centre in nautical miles, and where she is from it.
+fn about_centre(burst: &Burst) -> Option<(f64, Point)> {
+    let centre: Position = burst.pney2.as_ref()?.centre?;
+    let gll = burst.gll.as_ref()?;
+    let position = gll
+        .position
+        .filter(|_| gll.status == Some(DataStatus::Valid))?;
+    let point = Plane::at(centre).point(position);
+    Some((point.distance(Point::default()) / 1852.0, point))
+}
+
+/// TCS-3, FA5: status and mode indicator say the same.
+fn status(burst: &Burst, report: &mut Report<'_>) {
+    if let Some(xte) = &burst.xte
+        && xte.status == Some(DataStatus::Valid)
+        && xte.mode.is_some_and(|mode| !mode.valid())
+    {
+        report.breach("TCS-3", "XTE: status A with a mode that is not valid");
+    }
+    if let (Some(xte), Some(gll)) = (&burst.xte, &burst.gll)
+        && xte.status == Some(DataStatus::Valid)
+        && gll.status == Some(DataStatus::Invalid)
+    {
+        report.breach("TCS-3", "XTE: status A while GLL has no valid position");
+    }
+}
+
+/// Override and sentence status.
+fn header(htc: &Htc, report: &mut Report<'_>) {
+    if htc.override_status == Some(OverrideStatus::InUse) {
+        report.breach("HTC-1", "override is in use: track control is stopped");
+    }
+    if htc.status == Some(CommandStatus::Report) {
+        report.breach("CON-1", "HTC is a status report (R), no command");
+    }
+}
+
+fn null(value: Option<f64>, rule: &str, text: &str, report: &mut Report<'_>) {
+    if value.is_some() {
+        report.breach(rule, text);
+    }
+}
+
+fn stand_alone(htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
+    if htc.turn_mode != Some(TurnMode::NotControlled) {
+        report.breach("TCS-1", "turn mode must be N with mode S");
+    }
+    null(htc.radius, "TCS-1", "a radius with mode S", report);
+    null(
+        htc.rate_of_turn,
+        "TCS-1",
+        "a rate of turn with mode S",
+        report,
+    );
+    null(
+        htc.heading_to_steer,
+        "TCS-1",
+        "a heading to steer with mode S",
+        report,
+    );
+    null(htc.track, "TCS-1", "a track with mode S", report);
+    if let (Some(xte), Some(pney1), Some(pney2)) = (&burst.xte, &burst.pney1, &burst.pney2) {
+        let nulls = [
+            xte.cross_track.is_none(),
+            pney1.cross_track.is_none(),
+            pney2.waypoint.is_none(),
+        ];
+        if nulls.contains(&true) && nulls.contains(&false) {
+            report.breach("TCS-2", "XTE, PNEY,001 and PNEY,002 are not null together");
+        }
+    }
+}
+
+/// TCS-12.
+fn heading_control(htc: &Htc, report: &mut Report<'_>) {
+    null(htc.radius, "TCS-12", "a radius with mode H", report);
+    if htc.heading_to_steer.is_none() {
+        report.breach("TCS-12", "no heading to steer with mode H");
+    }
+    if htc.track.is_none() {
+        report.breach("TCS-12", "no track with mode H");
+    }
+    match htc.turn_mode {
+        Some(TurnMode::Rate) => {
+            if htc.rate_of_turn.is_none() {
+                report.breach("TCS-12", "turn mode T without a rate of turn");
+            }
+            if let (Some(hts), Some(track)) = (htc.heading_to_steer, htc.track)
+                && libm::fabs(wrap_180(hts - track)) > SAME_DEG
+            {
+                let text =
+                    format!("heading to steer {hts:.1} is not the track {track:.1} in a turn");
+                report.breach("TCS-12", text);
+            }
+        }
+        Some(TurnMode::NotControlled) => {}
+        _ => report.breach("TCS-12", "turn mode must be T or N with mode H"),
+    }
+}
+
+fn track_control(htc: &Htc, report: &mut Report<'_>) {
+    if htc.turn_mode != Some(TurnMode::Radius) {
+        report.breach("TCS-1", "turn mode must be R with mode T");
+    }
+    null(
+        htc.rate_of_turn,
+        "TCS-1",
+        "a rate of turn with mode T",
+        report,
+    );
+    null(
+        htc.heading_to_steer,
+        "TCS-1",
+        "a heading to steer with mode T",
+        report,
+    );
+    if htc.track.is_none() {
+        report.breach("TCS-1", "no track with mode T");
+    }
+}
+
+/// A radius and its centre come and go together.
+fn centre(htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
+    let Some(pney2) = &burst.pney2 else { return };
+    match (htc.radius, pney2.centre) {
+        (Some(_), None) => report.breach("TCS-1", "a radius without its centre"),
+        (None, Some(_)) => report.breach("TCS-1", "a centre without its radius"),
+        _ => {}
+    }
+}
