@@ -9,6 +9,7 @@
 mod autopilot;
 mod cadence;
 mod chart;
+mod fields;
 mod timed;
 
 pub use timed::{Timed, timed};

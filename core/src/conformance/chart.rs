@@ -1,9 +1,9 @@
 //! The chart system's side: the situation of each burst, and the rules of the situation table.
 
+use super::fields;
 use super::{Burst, Report};
 use crate::geo::{Plane, Point, Position};
-use crate::nmea::{CommandStatus, DataStatus, Htc, OverrideStatus, SteeringMode, TurnMode};
-use crate::units::wrap_180;
+use crate::nmea::{DataStatus, Htc, SteeringMode};
 use alloc::format;
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
@@ -12,8 +12,6 @@ use serde::{Deserialize, Serialize};
 const SAME_NM: f64 = 0.001;
 /// The distance to the arc may differ from the one that the centre gives by this much, nautical miles.
 const ARC_NM: f64 = 0.02;
-/// Headings may differ by this much, degrees.
-const SAME_DEG: f64 = 0.06;
 /// Track control ends within this time after the position is lost, seconds.
 const POSITION_S: f64 = 2.0;
 
@@ -161,14 +159,14 @@ impl ChartRules {
 
     /// The rules on one burst, after it has been named.
     pub(super) fn judge(&mut self, burst: &Burst, report: &mut Report<'_>) {
-        status(burst, report);
+        fields::status(burst, report);
         if let Some(htc) = &burst.htc {
-            header(htc, report);
+            fields::header(htc, report);
             match htc.steering_mode {
-                Some(SteeringMode::StandAlone) => stand_alone(htc, burst, report),
-                Some(SteeringMode::HeadingControl) => heading_control(htc, report),
+                Some(SteeringMode::StandAlone) => fields::stand_alone(htc, burst, report),
+                Some(SteeringMode::HeadingControl) => fields::heading_control(htc, report),
                 Some(SteeringMode::TrackControl) => {
-                    track_control(htc, report);
+                    fields::track_control(htc, report);
                     self.on_track(htc, burst, report);
                 }
                 Some(mode) => {
@@ -176,7 +174,7 @@ impl ChartRules {
                 }
                 None => report.breach("SEN-4", "HTC without a steering mode"),
             }
-            centre(htc, burst, report);
+            fields::centre(htc, burst, report);
             self.waypoint(htc, burst, report);
             self.position(htc, burst, report);
             if htc.steering_mode == Some(SteeringMode::TrackControl) && htc.radius.is_none() {
@@ -304,124 +302,4 @@ fn about_centre(burst: &Burst) -> Option<(f64, Point)> {
         .filter(|_| gll.status == Some(DataStatus::Valid))?;
     let point = Plane::at(centre).point(position);
     Some((point.distance(Point::default()) / 1852.0, point))
-}
-
-/// TCS-3, FA5: status and mode indicator say the same.
-fn status(burst: &Burst, report: &mut Report<'_>) {
-    if let Some(xte) = &burst.xte
-        && xte.status == Some(DataStatus::Valid)
-        && xte.mode.is_some_and(|mode| !mode.valid())
-    {
-        report.breach("TCS-3", "XTE: status A with a mode that is not valid");
-    }
-    if let (Some(xte), Some(gll)) = (&burst.xte, &burst.gll)
-        && xte.status == Some(DataStatus::Valid)
-        && gll.status == Some(DataStatus::Invalid)
-    {
-        report.breach("TCS-3", "XTE: status A while GLL has no valid position");
-    }
-}
-
-/// Override and sentence status.
-fn header(htc: &Htc, report: &mut Report<'_>) {
-    if htc.override_status == Some(OverrideStatus::InUse) {
-        report.breach("HTC-1", "override is in use: track control is stopped");
-    }
-    if htc.status == Some(CommandStatus::Report) {
-        report.breach("CON-1", "HTC is a status report (R), no command");
-    }
-}
-
-fn null(value: Option<f64>, rule: &str, text: &str, report: &mut Report<'_>) {
-    if value.is_some() {
-        report.breach(rule, text);
-    }
-}
-
-fn stand_alone(htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
-    if htc.turn_mode != Some(TurnMode::NotControlled) {
-        report.breach("TCS-1", "turn mode must be N with mode S");
-    }
-    null(htc.radius, "TCS-1", "a radius with mode S", report);
-    null(
-        htc.rate_of_turn,
-        "TCS-1",
-        "a rate of turn with mode S",
-        report,
-    );
-    null(
-        htc.heading_to_steer,
-        "TCS-1",
-        "a heading to steer with mode S",
-        report,
-    );
-    null(htc.track, "TCS-1", "a track with mode S", report);
-    if let (Some(xte), Some(pney1), Some(pney2)) = (&burst.xte, &burst.pney1, &burst.pney2) {
-        let nulls = [
-            xte.cross_track.is_none(),
-            pney1.cross_track.is_none(),
-            pney2.waypoint.is_none(),
-        ];
-        if nulls.contains(&true) && nulls.contains(&false) {
-            report.breach("TCS-2", "XTE, PNEY,001 and PNEY,002 are not null together");
-        }
-    }
-}
-
-/// TCS-12.
-fn heading_control(htc: &Htc, report: &mut Report<'_>) {
-    null(htc.radius, "TCS-12", "a radius with mode H", report);
-    if htc.heading_to_steer.is_none() {
-        report.breach("TCS-12", "no heading to steer with mode H");
-    }
-    if htc.track.is_none() {
-        report.breach("TCS-12", "no track with mode H");
-    }
-    match htc.turn_mode {
-        Some(TurnMode::Rate) => {
-            if htc.rate_of_turn.is_none() {
-                report.breach("TCS-12", "turn mode T without a rate of turn");
-            }
-            if let (Some(hts), Some(track)) = (htc.heading_to_steer, htc.track)
-                && libm::fabs(wrap_180(hts - track)) > SAME_DEG
-            {
-                let text =
-                    format!("heading to steer {hts:.1} is not the track {track:.1} in a turn");
-                report.breach("TCS-12", text);
-            }
-        }
-        Some(TurnMode::NotControlled) => {}
-        _ => report.breach("TCS-12", "turn mode must be T or N with mode H"),
-    }
-}
-
-fn track_control(htc: &Htc, report: &mut Report<'_>) {
-    if htc.turn_mode != Some(TurnMode::Radius) {
-        report.breach("TCS-1", "turn mode must be R with mode T");
-    }
-    null(
-        htc.rate_of_turn,
-        "TCS-1",
-        "a rate of turn with mode T",
-        report,
-    );
-    null(
-        htc.heading_to_steer,
-        "TCS-1",
-        "a heading to steer with mode T",
-        report,
-    );
-    if htc.track.is_none() {
-        report.breach("TCS-1", "no track with mode T");
-    }
-}
-
-/// A radius and its centre come and go together.
-fn centre(htc: &Htc, burst: &Burst, report: &mut Report<'_>) {
-    let Some(pney2) = &burst.pney2 else { return };
-    match (htc.radius, pney2.centre) {
-        (Some(_), None) => report.breach("TCS-1", "a radius without its centre"),
-        (None, Some(_)) => report.breach("TCS-1", "a centre without its radius"),
-        _ => {}
-    }
 }
