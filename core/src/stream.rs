@@ -16,6 +16,10 @@ pub const PROTOCOL: u32 = 1;
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "made and read once a frame, never kept"
+)]
 pub enum Down {
     /// First frame of a connection.
     Hello(Hello),

@@ -1,4 +1,5 @@
 //! The Mariner sails the reference manoeuvres.
+#![allow(clippy::unwrap_used)]
 
 use std::f64::consts::PI;
 use wheelover_core::world::{Drive, Hull};

@@ -1,4 +1,5 @@
 //! Closed loop: the steering laws on the simulated Mariner.
+#![allow(clippy::unwrap_used)]
 
 use wheelover_core::autopilot::steering::{
     Demand, Measured, Path, Steered, Steering, SteeringSettings, TurnBy,

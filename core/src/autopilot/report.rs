@@ -60,7 +60,7 @@ impl Autopilot {
             self.reports.retain(|waiting| *waiting != alert);
             self.reports.push_front(alert);
         }
-        let turn = self.now.0 / self.step_ms() % 2 == 0;
+        let turn = (self.now.0 / self.step_ms()).is_multiple_of(2);
         let alr = turn
             .then(|| self.reports.pop_front())
             .flatten()
@@ -130,7 +130,6 @@ impl Autopilot {
             }),
             port: None,
             port_status: Some(DataStatus::Invalid),
-            ..Rsa::default()
         }
     }
 
@@ -147,7 +146,6 @@ impl Autopilot {
             port: None,
             port_status: Some(DataStatus::Invalid),
             source: Some(CommandSource::Bridge),
-            ..Ror::default()
         }
     }
 

@@ -89,8 +89,10 @@ impl Voyage {
     pub fn embedded(seed: u64) -> Self {
         let route = route::embedded();
         let (start, heading) = route::embedded_start();
-        let mut settings = Settings::default();
-        settings.rudder_slew = 5.0; // the Mariner's gear
+        let settings = Settings {
+            rudder_slew: 5.0, // the Mariner's gear
+            ..Settings::default()
+        };
         let config = VoyageConfig {
             roles: Role::ALL.to_vec(),
             ports: Vec::new(),

@@ -122,9 +122,7 @@ impl Observer {
 
     /// Learns the sea from the difference between the gyro and the estimate.
     fn learn_waves(&mut self, yaw: f64, dt: f64) {
-        let heard = (yaw * yaw - GYRO_DEVIATION * GYRO_DEVIATION)
-            .max(0.0)
-            .min(LARGEST_YAW);
+        let heard = (yaw * yaw - GYRO_DEVIATION * GYRO_DEVIATION).clamp(0.0, LARGEST_YAW);
         self.waves += (heard - self.waves) * dt / SEA_TIME;
     }
 
