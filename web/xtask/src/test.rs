@@ -120,8 +120,22 @@ fn core_alone() -> Outcome {
     }
 }
 
+/// The same voyage natively and in wasm must give the same bytes.
 fn wasm_tests() -> Outcome {
+    let mut native = cargo(&[
+        "test",
+        "-p",
+        "wheelover-web",
+        "--test",
+        "same_voyage",
+        "--",
+        "--nocapture",
+    ]);
+    let native = output(&mut native).ok_or_else(|| Failure::new("the voyage fails natively"))?;
+    let digest = native.lines().find_map(|line| line.split_once("VOYAGE "));
+    let (_, digest) = digest.ok_or_else(|| Failure::new("the native voyage printed no digest"))?;
     let mut command = cargo(&["test", "-p", "wheelover-web", "--target", WASM]);
+    command.env("WHEELOVER_NATIVE_VOYAGE", digest.trim());
     if !has("node") {
         command.env("WASM_BINDGEN_USE_BROWSER", "1");
     }
