@@ -111,7 +111,7 @@ fn benches(
         }
         reports.push(((*name).to_owned(), run.report()));
     }
-    print(&reports, Some("wheelover"), json);
+    print(&text(&reports, Some("wheelover"), json));
     Ok(code)
 }
 
@@ -179,12 +179,12 @@ fn manoeuvre(name: &str, plan: &Plan, csv: Option<&Path>, json: bool) -> Result<
         }
         table.close()?;
     }
-    print(&[(name.to_owned(), plan.report())], None, json);
+    print(&text(&[(name.to_owned(), plan.report())], None, json));
     Ok(0)
 }
 
 /// One JSON object a scenario, or one table with a scenario in each column.
-fn print(reports: &[(String, Report)], controller: Option<&str>, json: bool) {
+fn text(reports: &[(String, Report)], controller: Option<&str>, json: bool) -> String {
     let mut text = String::new();
     if json {
         for (name, report) in reports {
@@ -213,6 +213,10 @@ fn print(reports: &[(String, Report)], controller: Option<&str>, json: bool) {
         }
         text.push('\n');
     }
+    text
+}
+
+fn print(text: &str) {
     // A reader that went away is no error.
     let _ = std::io::stdout().write_all(text.as_bytes());
 }
@@ -294,3 +298,6 @@ impl<'a> Progress<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
