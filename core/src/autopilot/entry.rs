@@ -109,6 +109,7 @@ impl Autopilot {
     pub(super) fn commanded(&self) -> Option<Htc> {
         self.fresh(self.picture.htc.as_ref(), Quantity::Control)
             .map(|commanded| commanded.htc)
+            .filter(|htc| htc.status.is_some() || self.settings.accept_null_status >= 0.5)
     }
 
     pub(super) fn wanted(&self, _now: Stamp) -> Option<Wanted> {

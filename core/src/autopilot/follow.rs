@@ -32,6 +32,12 @@ impl Autopilot {
             }
             return;
         }
+        if htc.status.is_none() && self.settings.accept_null_status < 0.5 {
+            // FA13
+            self.commands.clear();
+            self.why = "HTC refused: its status is null, which is not accepted here".into();
+            return;
+        }
         if htc.override_status == Some(OverrideStatus::InUse) {
             self.commands.clear();
             if self.mode != Mode::Standby {
@@ -154,12 +160,10 @@ impl Autopilot {
             self.alerts.rectify(now, Alert::TrackDataLate);
             return;
         }
-        let (name, age) = self.oldest(now);
-        if age >= self.settings.track_fail {
-            let text = format!("{name} missing");
-            self.track_fail(now, Cause::Missing(name.to_string()), &text);
+        if self.fail_if_old(now) {
             return;
         }
+        let (name, age) = self.oldest(now);
         let late = age >= self.settings.track_caution;
         let text = if late {
             format!("{name} is late")
@@ -168,6 +172,17 @@ impl Autopilot {
         };
         self.alerts.set(now, Alert::TrackDataLate, late, &text);
         self.update_path();
+    }
+
+    /// TRACK FAIL where the chart system controls and something that is followed is too old; whether it did.
+    pub(super) fn fail_if_old(&mut self, now: Stamp) -> bool {
+        let (name, age) = self.oldest(now);
+        let old = self.mode.is_autonav() && age >= self.settings.track_fail;
+        if old {
+            let text = format!("{name} missing");
+            self.track_fail(now, Cause::Missing(name.to_string()), &text);
+        }
+        old
     }
 
     /// The oldest of what is followed, seconds. In Tn only HTC is supervised.

@@ -127,22 +127,27 @@ impl Autopilot {
 
     /// Runs everything due, then takes the input.
     pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
-        self.advance(now, out);
-        match input {
-            Input::Bytes { port, bytes } => self.hear(now, port, bytes, out),
-            Input::Stalled { ms } => {
-                // FA16: no burst; every input must be heard again.
-                self.fresh_after = Some(now);
-                self.next_step = now + self.step_ms();
-                self.next_second = self.next_second.max(now);
-                self.alerts.raise(
-                    now,
-                    Alert::Stalled,
-                    &format!("the control loop was {ms} ms late"),
-                );
-            }
-            Input::Tick => {}
+        if let Input::Stalled { ms } = input {
+            self.stalled(now, ms);
+            return;
         }
+        self.advance(now, out);
+        if let Input::Bytes { port, bytes } = input {
+            self.hear(now, port, bytes, out);
+        }
+    }
+
+    /// FA16: no burst of what was missed; ages count the gap, and every input must be heard again.
+    fn stalled(&mut self, now: Stamp, ms: u64) {
+        self.now = now;
+        self.fresh_after = Some(now);
+        self.next_step = now + self.step_ms();
+        while self.next_second <= now {
+            self.next_second = self.next_second + 1_000;
+        }
+        let text = format!("the control loop was {ms} ms late");
+        self.alerts.raise(now, Alert::Stalled, &text);
+        self.fail_if_old(now);
     }
 
     fn hear(&mut self, now: Stamp, port: PortIndex, bytes: &[u8], out: &mut Vec<Output>) {

@@ -134,7 +134,8 @@ impl Voyage {
 
     /// Runs everything due up to `now`, in order of time, then takes the event.
     pub fn handle(&mut self, now: Stamp, event: Event, out: &mut Vec<VoyageOutput>) {
-        while self.due() <= now {
+        // FA16: what a stall has missed is not made up for.
+        while self.due() <= now && !matches!(event, Event::Stalled { .. }) {
             let at = self.due();
             self.now = self.now.max(at);
             self.run(at, out);

@@ -169,7 +169,11 @@ impl World {
     /// Runs all steps due up to `now`, then takes the input.
     pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
         while self.next <= now {
-            self.step(out);
+            if matches!(input, Input::Stalled { .. }) {
+                self.next = self.next + STEP; // the ship stood still as her computer did
+            } else {
+                self.step(out);
+            }
         }
         if let Input::Bytes { port, bytes } = input
             && Some(port) == self.port(Profile::Gear)

@@ -1,0 +1,10 @@
+//! Closed loops in fast time: the three stations joined by cables that a test can damage line by line.
+
+mod chart_lost;
+mod cross_track;
+mod entry;
+mod monte_carlo;
+mod refused_commands;
+mod rig;
+mod sensors_lost;
+mod situations;

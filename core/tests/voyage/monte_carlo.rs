@@ -1,0 +1,199 @@
+//! Random fault scripts in fast time; what must hold in all of them (FA17, small form).
+
+use crate::rig::{Rig, edited, route};
+use std::cell::RefCell;
+use std::rc::Rc;
+use wheelover_core::alerts::Alert;
+use wheelover_core::nmea;
+use wheelover_core::station::{Input, Profile};
+use wheelover_core::stream::{ChartRequest, Do, FaultKind, ModeName, ModeRequest};
+
+/// SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, limit: u64) -> u64 {
+        self.next() % limit
+    }
+}
+
+/// What the cables do at the moment.
+#[derive(Default)]
+struct Damage {
+    silent: Option<(Profile, &'static str)>,
+    checksum: Option<&'static str>,
+    not_valid: bool,
+    override_in_use: bool,
+    status: Option<&'static str>,
+}
+
+const SILENT: [(Profile, &str); 9] = [
+    (Profile::Ecdis, ""),
+    (Profile::Ecdis, "HTC,"),
+    (Profile::Ecdis, "XTE,"),
+    (Profile::Ecdis, "PNEY,001"),
+    (Profile::Ecdis, "PNEY,002"),
+    (Profile::Gyro1, ""),
+    (Profile::Gps, ""),
+    (Profile::Log, ""),
+    (Profile::Gear, ""),
+];
+
+fn damaged(damage: &Damage, from: Profile, line: &str) -> Option<String> {
+    if let Some((profile, formatter)) = damage.silent
+        && from == profile
+        && line.contains(formatter)
+    {
+        return None;
+    }
+    if damage
+        .checksum
+        .is_some_and(|formatter| line.contains(formatter))
+    {
+        return Some(format!("{}Z", &line[..line.len() - 1]));
+    }
+    let mut line = line.to_string();
+    if line.contains("HTC,") {
+        if damage.override_in_use {
+            line = edited(&line, &[(1, "A")]);
+        }
+        if let Some(status) = damage.status {
+            line = edited(&line, &[(14, status)]);
+        }
+    }
+    if damage.not_valid && line.contains("XTE,") {
+        line = edited(&line, &[(1, "V")]);
+    }
+    Some(line)
+}
+
+/// What the operator does on purpose counts as a reason.
+fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
+    let mut damage = damage.borrow_mut();
+    match random.below(18) {
+        0..=3 => damage.silent = Some(SILENT[random.below(9) as usize]),
+        4 => damage.checksum = Some(["HTC,", "XTE,", "PNEY,001", "HDT"][random.below(4) as usize]),
+        5 => damage.not_valid = !damage.not_valid,
+        6 => damage.override_in_use = !damage.override_in_use,
+        7 => damage.status = [Some("R"), None, Some("")][random.below(3) as usize],
+        8 => {
+            let on = random.below(2) == 0;
+            rig.world.injure(Profile::Gyro1, FaultKind::Jump, on);
+        }
+        9 => {
+            let on = random.below(2) == 0;
+            rig.world.injure(Profile::Gps, FaultKind::Jump, on);
+        }
+        10 => {
+            let mut out = Vec::new();
+            rig.autopilot
+                .handle(rig.now, Input::Stalled { ms: 300 }, &mut out);
+        }
+        11 => {
+            let _ = rig.ask(ChartRequest::Stop);
+        }
+        12 => {
+            let _ = rig.ask(ChartRequest::Heading);
+        }
+        13 => {
+            drop(damage);
+            let _ = rig.command(Do::Mode(ModeRequest::Standby));
+            return true;
+        }
+        14 => {
+            drop(damage);
+            let _ = rig.command(Do::AdjustHeading(random.below(60) as f64 - 30.0));
+        }
+        _ => {
+            // All is healed, and the officer brings the ship back under track control.
+            *damage = Damage::default();
+            drop(damage);
+            rig.world.injure(Profile::Gyro1, FaultKind::Jump, false);
+            rig.world.injure(Profile::Gps, FaultKind::Jump, false);
+            let _ = rig.command(Do::Mode(ModeRequest::Auto));
+            let _ = rig.ask(ChartRequest::Track);
+            let _ = rig.command(Do::Mode(ModeRequest::Autonav));
+            return true;
+        }
+    }
+    false
+}
+
+fn script(seed: u64) {
+    let mut random = Random(seed);
+    let mut rig = Rig::new(route(&[(245.0, 1.6), (305.0, 2.0)], 0.5), seed);
+    let damage = Rc::new(RefCell::new(Damage::default()));
+    let on_cable = damage.clone();
+    rig.filter(move |_, from, line| damaged(&on_cable.borrow(), from, line));
+    rig.run(4.0);
+    let _ = rig.command(Do::Mode(ModeRequest::Auto));
+    rig.run(4.0);
+    let _ = rig.ask(ChartRequest::Track);
+    let _ = rig.command(Do::Mode(ModeRequest::Autonav));
+    let mut next = rig.now + 5_000 + random.below(60_000);
+    for _ in 0..2_400 {
+        let before = rig.mode();
+        let mut wanted = false;
+        if rig.now >= next {
+            next = rig.now + 2_000 + random.below(25_000);
+            wanted = act(&mut rig, &mut random, &damage);
+        }
+        rig.step();
+        let (now, raised) = (rig.mode(), |alert| rig.raised(alert));
+        if wanted || before == now {
+            continue;
+        }
+        // Every fallback has its alarm, at once.
+        let at = rig.now.seconds();
+        match now {
+            ModeName::Auto => assert!(
+                raised(Alert::TrackFail),
+                "seed {seed} at {at} s: {before:?}"
+            ),
+            ModeName::RudderHold => assert!(raised(Alert::HeadingLost), "seed {seed} at {at} s"),
+            ModeName::Standby => assert!(raised(Alert::Override), "seed {seed} at {at} s"),
+            _ => {}
+        }
+    }
+    // FA6; every HTD is a sentence without fault and names one mode.
+    rig.check_orders();
+    for (at, htd) in &rig.htd {
+        let line = htd.line("AG");
+        let sentence = nmea::decode(line.as_bytes());
+        assert!(sentence.faults().is_empty(), "{line} at {}", at.seconds());
+    }
+}
+
+fn scripts(from: u64, count: u64) {
+    for seed in from..from + count {
+        script(seed);
+    }
+}
+
+#[test]
+fn fifty_scripts() {
+    scripts(1_000, 50);
+}
+
+#[test]
+fn fifty_more_scripts() {
+    scripts(2_000, 50);
+}
+
+#[test]
+fn a_third_fifty() {
+    scripts(3_000, 50);
+}
+
+#[test]
+fn a_fourth_fifty() {
+    scripts(4_000, 50);
+}
