@@ -103,6 +103,7 @@ pub struct Checker {
     bursts: u64,
     line: u64,
     lines: u64,
+    sentences: u64,
     breaches: u64,
     last: Option<f64>,
     spans: Vec<Span>,
@@ -164,6 +165,12 @@ impl Checker {
         self.lines
     }
 
+    /// Number of sentences that belong to the dialogue.
+    #[must_use]
+    pub const fn sentences(&self) -> u64 {
+        self.sentences
+    }
+
     /// Number of breaches reported.
     #[must_use]
     pub const fn breaches(&self) -> u64 {
@@ -180,6 +187,7 @@ impl Checker {
             && (sentence.talker == self.chart_talker || sentence.talker == "P");
         let of_autopilot =
             AUTOPILOT.contains(&sentence.formatter) && sentence.talker == self.autopilot_talker;
+        self.sentences += u64::from(of_chart || of_autopilot);
         if of_chart && self.ends_burst(at, sentence.formatter) {
             self.close(out);
         }
@@ -204,8 +212,7 @@ impl Checker {
                 situation,
                 breaches: out,
             };
-            self.autopilot
-                .heard(clock, sentence, &self.chart, &mut report);
+            self.autopilot.heard(clock, sentence, &mut report);
         }
     }
 

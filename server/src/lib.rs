@@ -4,6 +4,7 @@
 //! do with them is the core's affair: nothing here decides anything about steering.
 
 pub mod args;
+pub mod check;
 pub mod decode;
 pub mod error;
 pub mod guard;

@@ -26,6 +26,9 @@ pub(super) struct AutopilotRules {
     since: f64,
     last: Option<f64>,
     htd: Htd,
+    /// Line and time of the last HTD.
+    line: u64,
+    at: Option<f64>,
     /// Breaches that last are reported once.
     told: [bool; 7],
 }
@@ -65,22 +68,16 @@ impl AutopilotRules {
         )
     }
 
-    pub(super) fn heard(
-        &mut self,
-        clock: f64,
-        sentence: &Sentence<'_>,
-        chart: &ChartRules,
-        report: &mut Report<'_>,
-    ) {
+    pub(super) fn heard(&mut self, clock: f64, sentence: &Sentence<'_>, report: &mut Report<'_>) {
         if let Some(htd) = Htd::from_sentence(sentence) {
             if htd.steering_mode != self.mode {
                 self.mode = htd.steering_mode;
                 self.since = clock;
             }
             self.last = Some(clock);
+            (self.line, self.at) = (report.line, report.at);
             by_mode(&htd, report);
             self.htd = htd;
-            self.judge(clock, chart, report);
         } else if let Some(ror) = Ror::from_sentence(sentence) {
             let order = ror.starboard.is_some() || ror.starboard_status == Some(DataStatus::Valid);
             if self.mode == Some(SteeringMode::Manual)
@@ -92,7 +89,8 @@ impl AutopilotRules {
         }
     }
 
-    /// What was commanded against what was last reported.
+    /// What was commanded against what was last reported; once a burst is complete, so that an answer is never
+    /// taken for a mistake because it was quicker than the rest of the burst.
     pub(super) fn judge(&mut self, clock: f64, chart: &ChartRules, report: &mut Report<'_>) {
         let Some(commanded) = chart.commanded() else {
             return;
@@ -100,6 +98,12 @@ impl AutopilotRules {
         if self.last.is_none_or(|last| clock - last > 1.5) {
             return;
         }
+        let report = &mut Report {
+            at: self.at,
+            line: self.line,
+            situation: report.situation,
+            breaches: report.breaches,
+        };
         let htd = self.htd.clone();
         let htc = &commanded.htc;
         let reference = matches!((htc.reference, htd.reference), (Some(a), Some(b)) if a != b);
