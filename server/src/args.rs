@@ -1,10 +1,15 @@
 //! The command line: what can be asked for, and one clear line for what cannot.
 
+use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 use std::net::SocketAddr;
+use std::path::PathBuf;
 
-const SAFETY: &str = "Wheelover is not an approved track-control system under SOLAS: it is for ships outside SOLAS and for \
-leisure craft, for training and for test. The ship's own override and a look-out come first.";
+const SAFETY: &str = "\
+Wheelover is not track control approved under SOLAS. It is for ships outside SOLAS, leisure craft, training and \
+test. The ship's own override and a proper look-out come first.
+
+Exit codes: 0 done; 1 done, with findings; 2 not done, with one line that says what and where.";
 
 /// A track-control autopilot: it faces a chart system over serial NMEA 0183, steers by it, and shows
 /// every tablet on the bridge what it does.
@@ -25,17 +30,99 @@ pub enum Command {
     /// Run: the embedded voyage, or the stations and ports of a configuration
     #[command(after_help = SAFETY)]
     Serve(Serve),
+    /// Explain sentences, field by field
+    Decode {
+        /// A log of sentences, or - for standard input
+        file: Option<PathBuf>,
+        /// One JSON object a line
+        #[arg(long)]
+        json: bool,
+        /// Say nothing but results
+        #[arg(short, long)]
+        quiet: bool,
+    },
+    /// Check a recorded dialogue against the rules
+    Check {
+        /// The dialogue
+        file: PathBuf,
+        /// One JSON object a breach
+        #[arg(long)]
+        json: bool,
+        /// Say nothing but results
+        #[arg(short, long)]
+        quiet: bool,
+    },
+    /// Run scenarios in closed loop or manoeuvres in open loop, as fast as it goes
+    Simulate {
+        /// The scenario file
+        #[arg(long, value_name = "FILE")]
+        scenario: PathBuf,
+        /// Only the scenario of this name
+        #[arg(long, value_name = "NAME")]
+        only: Option<String>,
+        /// Where the run is written
+        #[arg(long, value_name = "OUT")]
+        csv: Option<PathBuf>,
+        /// One JSON object a scenario
+        #[arg(long)]
+        json: bool,
+        /// Say nothing but results
+        #[arg(short, long)]
+        quiet: bool,
+    },
+    /// Run a recording again and report the first difference
+    Replay {
+        /// The recording, as written by `serve --record`
+        file: PathBuf,
+        /// Say nothing but a difference
+        #[arg(short, long)]
+        quiet: bool,
+    },
+    /// List the serial ports of this machine
+    Ports,
+    /// Look at a configuration
+    #[command(subcommand)]
+    Config(ConfigCommand),
+}
+
+/// What can be done with a configuration.
+#[derive(Debug, Subcommand)]
+pub enum ConfigCommand {
+    /// Say what is wrong with it, or print it as it is in force
+    Check {
+        /// The configuration
+        file: PathBuf,
+    },
 }
 
 /// Options of `serve`.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Serve {
+    /// Stations and ports; without it the embedded voyage runs
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// Address to listen on [default: 127.0.0.1:8080]
     #[arg(long, value_name = "ADDR")]
     pub listen: Option<SocketAddr>,
+    /// Listen on all addresses; from other computers for reading only
+    #[arg(long)]
+    pub lan: bool,
+    /// Pace of the embedded voyage, 1 to 60
+    #[arg(long, value_name = "N", value_parser = pace)]
+    pub speed: Option<f64>,
+    /// Record everything, for `replay`
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
     /// Say nothing but errors
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+fn pace(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(pace) if (1.0..=60.0).contains(&pace) => Ok(pace),
+        _ => Err("allowed are 1 to 60".to_owned()),
+    }
 }
 
 /// Reads the command line.
@@ -44,7 +131,10 @@ pub struct Serve {
 /// The exit code, after what is to be said was said: 0 for help and version, 2 for a mistake.
 pub fn read() -> Result<Cli, i32> {
     Cli::try_parse().map_err(|error| {
-        if error.use_stderr() {
+        if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+            eprintln!("a command is missing; see wheelover --help");
+            2
+        } else if error.use_stderr() {
             eprintln!("{}", one_line(&error.to_string()));
             2
         } else {

@@ -1,19 +1,28 @@
 //! HTTP: the accept loop with its limits, and the few addresses that the server answers.
 
-use crate::guard::{self, Ends, Hosts};
+use crate::control::Control;
+use crate::feed::{Feed, encode};
+use crate::guard::{self, Ends, Hosts, Origin};
 use crate::page;
-use axum::Router;
+use crate::ws::{self, Rights, Source};
 use axum::body::Body;
+use axum::extract::ws::rejection::WebSocketUpgradeRejection;
+use axum::extract::ws::{Utf8Bytes, WebSocketUpgrade};
 use axum::extract::{Request, State};
+use axum::http::header::{self, HeaderMap, HeaderValue};
 use axum::http::{Method, Response, StatusCode};
 use axum::middleware::{self, Next};
+use axum::response::IntoResponse;
 use axum::routing::get;
+use axum::{Extension, Router};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{Semaphore, watch};
+use wheelover_core::stream::Down;
 
 /// A request whose head takes longer than this is closed (FC12).
 const HEADER_TIMEOUT: Duration = Duration::from_secs(4);
@@ -25,12 +34,38 @@ const CONNECTIONS: usize = 4096;
 pub struct Site {
     /// By which names this machine may be addressed.
     pub hosts: Hosts,
+    /// The control thread.
+    pub control: Control,
+    /// What pages are told.
+    pub feed: Arc<Feed>,
+    /// Raised when the server ends.
+    pub stop: watch::Receiver<bool>,
+    /// Commands reach nothing but the embedded voyage.
+    pub simulated: bool,
+    /// Opened to the network for reading (`--lan`).
+    pub lan: bool,
+}
+
+impl Site {
+    /// What a client at `ends` may command: until there are roles, real equipment is commanded from
+    /// this computer only, the embedded voyage from anywhere unless opened for reading.
+    fn rights(&self, ends: &Ends) -> Rights {
+        let here = ends.peer.ip().to_canonical().is_loopback();
+        if here || self.simulated && !self.lan {
+            Rights::All
+        } else {
+            Rights::Look
+        }
+    }
 }
 
 /// The addresses that are answered.
 pub fn router(site: Arc<Site>) -> Router {
     Router::new()
         .route("/healthz", get(healthz))
+        .route("/api/hello", get(hello))
+        .route("/api/route", get(route))
+        .route("/ws", get(socket))
         .fallback(file)
         .layer(middleware::from_fn_with_state(site.clone(), check))
         .with_state(site)
@@ -68,7 +103,7 @@ pub(crate) async fn stopped(stop: &mut watch::Receiver<bool>) {
 
 async fn connection(
     stream: TcpStream,
-    peer: std::net::SocketAddr,
+    peer: SocketAddr,
     router: Router,
     mut stop: watch::Receiver<bool>,
 ) {
@@ -77,7 +112,7 @@ async fn connection(
     };
     let _ = stream.set_nodelay(true);
     let ends = Ends { peer, local };
-    let service = TowerToHyperService::new(router.layer(axum::Extension(ends)));
+    let service = TowerToHyperService::new(router.layer(Extension(ends)));
     let serving = hyper::server::conn::http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(HEADER_TIMEOUT)
@@ -115,8 +150,65 @@ async fn check(State(site): State<Arc<Site>>, request: Request, next: Next) -> R
     answer
 }
 
-async fn healthz() -> Response<Body> {
-    page::plain(StatusCode::OK, "ok\n")
+async fn healthz(State(site): State<Arc<Site>>) -> Response<Body> {
+    if site.feed.is_alive() {
+        page::plain(StatusCode::OK, "ok\n")
+    } else {
+        page::plain(
+            StatusCode::SERVICE_UNAVAILABLE,
+            "the control loop is silent\n",
+        )
+    }
+}
+
+async fn hello(State(site): State<Arc<Site>>, Extension(ends): Extension<Ends>) -> Response<Body> {
+    let Some(mut hello) = site.control.hello().await else {
+        return page::plain(StatusCode::SERVICE_UNAVAILABLE, "busy\n");
+    };
+    hello.may_command = site.rights(&ends) == Rights::All;
+    json(encode(&Down::Hello(hello)).unwrap_or_default())
+}
+
+async fn route(State(site): State<Arc<Site>>) -> Response<Body> {
+    json(site.feed.route())
+}
+
+fn json(text: Utf8Bytes) -> Response<Body> {
+    let mut answer = page::plain(StatusCode::OK, "");
+    *answer.body_mut() = Body::from(axum::body::Bytes::from(text));
+    answer.headers_mut().insert(
+        header::CONTENT_TYPE,
+        HeaderValue::from_static("application/json"),
+    );
+    answer
+}
+
+async fn socket(
+    State(site): State<Arc<Site>>,
+    Extension(ends): Extension<Ends>,
+    headers: HeaderMap,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Response<Body> {
+    let host = headers
+        .get(header::HOST)
+        .and_then(|host| host.to_str().ok());
+    if guard::origin(&headers, host.unwrap_or_default()) == Origin::Foreign {
+        return page::plain(
+            StatusCode::FORBIDDEN,
+            "pages from elsewhere are not served\n",
+        );
+    }
+    let upgrade = match upgrade {
+        Ok(upgrade) => upgrade,
+        Err(refused) => return refused.into_response(),
+    };
+    let source = Source {
+        control: site.control.clone(),
+        feed: site.feed.clone(),
+        stop: site.stop.clone(),
+        rights: site.rights(&ends),
+    };
+    ws::limit(upgrade).on_upgrade(move |socket| ws::serve(socket, source))
 }
 
 async fn file(request: Request) -> Response<Body> {

@@ -1,9 +1,11 @@
 //! The `wheelover` program: reads the command line and calls the library.
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
+use std::net::{IpAddr, SocketAddr};
+use std::path::Path;
 use std::process::ExitCode;
-use wheelover::args::{self, Cli, Command};
-use wheelover::{Error, Options, serve};
+use wheelover::args::{self, Cli, Command, ConfigCommand};
+use wheelover::{Error, Options, check, config, decode, persist, ports, recorder, serve, simulate};
 
 fn main() -> ExitCode {
     let code = match args::read() {
@@ -17,29 +19,116 @@ fn main() -> ExitCode {
 }
 
 fn run(cli: Cli) -> Result<i32, Error> {
-    let options = match cli.command {
-        None => cli.serve,
-        Some(Command::Serve(options)) => options,
-    };
+    match cli.command {
+        None => main_job(cli.serve),
+        Some(Command::Serve(options)) => main_job(options),
+        Some(Command::Decode { file, json, quiet }) => explain(file.as_deref(), json, quiet),
+        Some(Command::Check { file, json, quiet }) => {
+            check::check(&file, json, quiet).map_err(Error::Other)
+        }
+        Some(Command::Simulate {
+            scenario,
+            only,
+            csv,
+            json,
+            quiet,
+        }) => simulate::simulate(&scenario, only.as_deref(), csv.as_deref(), json, quiet)
+            .map_err(Error::Other),
+        Some(Command::Replay { file, quiet }) => recorder::replay(&file, quiet),
+        Some(Command::Ports) => {
+            for port in ports::list::list() {
+                if port.path == port.device {
+                    say(&port.path.display().to_string());
+                } else {
+                    say(&format!(
+                        "{} -> {}",
+                        port.path.display(),
+                        port.device.display()
+                    ));
+                }
+            }
+            Ok(0)
+        }
+        Some(Command::Config(ConfigCommand::Check { file })) => {
+            say(config::in_force(&config::read(&file)?).trim_end());
+            Ok(0)
+        }
+    }
+}
+
+/// `decode`; a reader that has seen enough is no failure.
+fn explain(file: Option<&Path>, json: bool, quiet: bool) -> Result<i32, Error> {
+    match decode::decode(file, json, quiet) {
+        Err(source) if source.kind() == ErrorKind::BrokenPipe => Ok(0),
+        done => done.map_err(|source| Error::File {
+            path: file.map_or_else(
+                || "standard input".to_owned(),
+                |file| file.display().to_string(),
+            ),
+            source,
+        }),
+    }
+}
+
+/// `serve`: the main job.
+fn main_job(options: args::Serve) -> Result<i32, Error> {
+    let config = options.config.as_deref().map(config::read).transpose()?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)
         .enable_all()
         .build()
-        .map_err(|e| Error::Other(format!("cannot start: {e}")))?;
-    runtime.block_on(main_job(options))
+        .map_err(|error| Error::Other(format!("cannot start: {error}")))?;
+    let lan = options.lan;
+    let asked = Options {
+        config,
+        listen: options.listen,
+        lan,
+        speed: options.speed,
+        record: options.record,
+        settings: options.config.as_deref().map(persist::beside),
+    };
+    runtime.block_on(async {
+        let running = serve(asked).await?;
+        if !options.quiet {
+            announce(running.addr, lan);
+            for caution in &running.cautions {
+                eprintln!("caution: {caution}");
+            }
+        }
+        asked_to_stop().await;
+        running.shutdown().await;
+        Ok(0)
+    })
 }
 
-async fn main_job(options: args::Serve) -> Result<i32, Error> {
-    let listen = options
-        .listen
-        .unwrap_or_else(|| ([127, 0, 0, 1], 8080).into());
-    let running = serve(Options { listen }).await?;
-    if !options.quiet {
-        say(&format!("listening on http://{}", running.addr));
+/// Says where the page is; with `--lan` also for a tablet.
+fn announce(addr: SocketAddr, lan: bool) {
+    let here = if addr.ip().is_unspecified() {
+        SocketAddr::from(([127, 0, 0, 1], addr.port()))
+    } else {
+        addr
+    };
+    say(&format!("listening on http://{here}"));
+    if lan {
+        for ip in own_addresses() {
+            say(&format!(
+                "for tablets, reading only: http://{}",
+                SocketAddr::new(ip, addr.port())
+            ));
+        }
     }
-    asked_to_stop().await;
-    running.shutdown().await;
-    Ok(0)
+}
+
+/// IPv4 addresses by which others reach this machine.
+fn own_addresses() -> Vec<IpAddr> {
+    let Ok(interfaces) = nix::ifaddrs::getifaddrs() else {
+        return Vec::new();
+    };
+    interfaces
+        .filter_map(|interface| Some(interface.address?.as_sockaddr_in()?.ip()))
+        .filter(|ip| !ip.is_loopback() && !ip.is_unspecified())
+        .map(IpAddr::V4)
+        .collect()
 }
 
 /// Writes a line at once; a reader that is gone is no reason to stop steering.

@@ -1,0 +1,190 @@
+//! Reading a configuration: every mistake is one line with file, line, key and what is allowed.
+
+use super::port::{Mistake, PortForm, port, socket};
+use super::{Config, Port, Role, Ship, load, route};
+use crate::error::{Error, reason};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::net::SocketAddr;
+use std::path::Path;
+use toml::Spanned;
+use wheelover_core::settings::{Settings, TABLE};
+
+/// The file as written.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct Form {
+    roles: Spanned<Vec<Role>>,
+    listen: Option<Spanned<String>>,
+    allow_output: bool,
+    port: Vec<Spanned<PortForm>>,
+    ship: Spanned<Ship>,
+    autopilot: BTreeMap<Spanned<String>, Spanned<f64>>,
+    route: Option<Spanned<route::Form>>,
+}
+
+impl Default for Form {
+    fn default() -> Self {
+        Self {
+            roles: Spanned::new(0..0, Role::ALL.to_vec()),
+            listen: None,
+            allow_output: false,
+            port: Vec::new(),
+            ship: Spanned::new(0..0, Ship::default()),
+            autopilot: BTreeMap::new(),
+            route: None,
+        }
+    }
+}
+
+/// Reads and checks a configuration.
+///
+/// # Errors
+/// The file cannot be read, or says something that cannot be.
+pub fn read(path: &Path) -> Result<Config, Error> {
+    let file = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|source| Error::File {
+        path: file.clone(),
+        source,
+    })?;
+    from_text(&file, &text, path.parent())
+}
+
+/// Checks a configuration given as text; `folder` is where its other files are looked for.
+///
+/// # Errors
+/// It says something that cannot be.
+pub fn from_text(file: &str, text: &str, folder: Option<&Path>) -> Result<Config, Error> {
+    toml::from_str::<Form>(text)
+        .map_err(|error| (error.span().unwrap_or(0..0), in_our_words(error.message())))
+        .and_then(|form| check(form, folder.unwrap_or(Path::new(""))))
+        .map_err(|(span, text_of)| Error::Config {
+            file: file.to_owned(),
+            line: Some(1 + text[..span.start.min(text.len())].matches('\n').count()),
+            text: text_of,
+        })
+}
+
+/// The parser's words, as an officer would put them.
+fn in_our_words(message: &str) -> String {
+    let line = message.lines().collect::<Vec<_>>().join("; ");
+    line.replace("unknown field", "unknown key")
+        .replace("unknown variant", "unknown value")
+        .replace("missing field", "missing key")
+        .replace(", expected one of ", "; allowed are ")
+        .replace(", expected ", "; allowed is ")
+}
+
+fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
+    let roles = roles(form.roles)?;
+    let listen = match form.listen {
+        None => SocketAddr::from(([127, 0, 0, 1], 8080)),
+        Some(text) => socket("listen", &text)?,
+    };
+    let settings = settings(form.autopilot, &form.ship)?;
+    let mut ports: Vec<Port> = Vec::new();
+    for written in form.port {
+        let span = written.span();
+        let port = port(written.into_inner(), span.clone(), &roles, folder, &ports)?;
+        if let Some(complaint) = load::complaint(&port, &settings) {
+            return Err((span, complaint));
+        }
+        ports.push(port);
+    }
+    form.ship
+        .get_ref()
+        .check()
+        .map_err(|text| (form.ship.span(), text))?;
+    let ship = form.ship.into_inner();
+    let route = match form.route {
+        None => None,
+        Some(written) => Some(planned(written, folder, ship.speed_kn)?),
+    };
+    Ok(Config {
+        roles,
+        listen,
+        allow_output: form.allow_output,
+        ports,
+        ship,
+        settings,
+        route,
+    })
+}
+
+fn roles(written: Spanned<Vec<Role>>) -> Result<Vec<Role>, Mistake> {
+    let span = written.span();
+    let named = written.into_inner();
+    let roles: Vec<Role> = Role::ALL
+        .into_iter()
+        .filter(|role| named.contains(role))
+        .collect();
+    if roles.is_empty() || roles.len() != named.len() {
+        let allowed =
+            "roles must name one or more of \"autopilot\", \"chart_system\", \"world\", each once";
+        return Err((span, allowed.to_owned()));
+    }
+    Ok(roles)
+}
+
+fn settings(
+    written: BTreeMap<Spanned<String>, Spanned<f64>>,
+    ship: &Spanned<Ship>,
+) -> Result<Settings, Mistake> {
+    let mut settings = Settings::default();
+    for (key, value) in written {
+        if !TABLE.iter().any(|line| line.name == key.get_ref().as_str()) {
+            let names: Vec<String> = TABLE
+                .iter()
+                .map(|line| format!("`{}`", line.name))
+                .collect();
+            let text = format!(
+                "unknown key `{}`; allowed are {}",
+                key.get_ref(),
+                names.join(", ")
+            );
+            return Err((key.span(), text));
+        }
+        settings
+            .set(key.get_ref(), *value.get_ref())
+            .map_err(|text| (value.span(), text))?;
+    }
+    let fixed = ship.get_ref();
+    for (name, value) in [
+        ("rudder_max", fixed.rudder_max_deg),
+        ("rudder_slew", fixed.rudder_slew_deg_s),
+    ] {
+        if let Some(value) = value {
+            settings
+                .set(name, value)
+                .map_err(|text| (ship.span(), text))?;
+        }
+    }
+    Ok(settings)
+}
+
+fn planned(
+    written: Spanned<route::Form>,
+    folder: &Path,
+    speed_kn: f64,
+) -> Result<wheelover_core::route::Route, Mistake> {
+    let span = written.span();
+    let mistake = |text: String| (span.clone(), format!("route: {text}"));
+    let mut form = written.into_inner();
+    if let Some(file) = form.file.take() {
+        if !form.waypoint.is_empty() {
+            return Err(mistake(
+                "allowed is either file or waypoint, not both".to_owned(),
+            ));
+        }
+        let path = folder.join(&file);
+        let text = std::fs::read_to_string(&path)
+            .map_err(|e| mistake(format!("{file}: {}", reason(&e))))?;
+        form = toml::from_str(&text).map_err(|error| {
+            let start = error.span().map_or(0, |span| span.start).min(text.len());
+            let line = 1 + text[..start].matches('\n').count();
+            mistake(format!("{file}:{line}: {}", in_our_words(error.message())))
+        })?;
+    }
+    let name = form.name.unwrap_or_else(|| "route".to_owned());
+    route::route(&name, &form.waypoint, speed_kn).map_err(mistake)
+}

@@ -1,0 +1,124 @@
+//! `[ship]`: the hull of the world station, and what is fixed on board.
+
+use serde::Deserialize;
+
+/// The ship of the world station, and what is fixed on board.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Ship {
+    /// Hull of the world station.
+    pub model: Model,
+    /// Length, metres.
+    pub length_m: f64,
+    /// Beam, metres.
+    pub beam_m: f64,
+    /// Antenna of the position receiver forward of midships, metres.
+    pub antenna_forward_m: f64,
+    /// Antenna to starboard of the midship line, metres.
+    pub antenna_starboard_m: f64,
+    /// Conning position forward of midships, metres.
+    pub conning_forward_m: f64,
+    /// Conning position to starboard of the midship line, metres.
+    pub conning_starboard_m: f64,
+    /// Rudder forward of midships, metres; negative is aft.
+    pub rudder_forward_m: f64,
+    /// Largest rudder angle, degrees; none: the setting `rudder_max`.
+    pub rudder_max_deg: Option<f64>,
+    /// Slew of the gear, degrees a second; none: the setting `rudder_slew`.
+    pub rudder_slew_deg_s: Option<f64>,
+    /// Where the world station starts; none: at the first waypoint.
+    pub start_lat: Option<f64>,
+    /// Where the world station starts; none: at the first waypoint.
+    pub start_lon: Option<f64>,
+    /// Heading at the start, degrees; none: the first leg's course.
+    pub start_heading: Option<f64>,
+    /// Speed of the world station's ship, knots.
+    pub speed_kn: f64,
+    /// Direction towards which the current of the world station sets, degrees.
+    pub current_set: f64,
+    /// Its speed, knots.
+    pub current_drift_kn: f64,
+}
+
+/// Hull of the world station.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Model {
+    /// The Mariner-class cargo ship.
+    #[default]
+    Mariner,
+}
+
+impl Default for Ship {
+    fn default() -> Self {
+        Self {
+            model: Model::Mariner,
+            length_m: 160.93,
+            beam_m: 23.17,
+            antenna_forward_m: 0.0,
+            antenna_starboard_m: 0.0,
+            conning_forward_m: 0.0,
+            conning_starboard_m: 0.0,
+            rudder_forward_m: -80.0,
+            rudder_max_deg: None,
+            rudder_slew_deg_s: None,
+            start_lat: None,
+            start_lon: None,
+            start_heading: None,
+            speed_kn: 15.0,
+            current_set: 0.0,
+            current_drift_kn: 0.0,
+        }
+    }
+}
+
+impl Ship {
+    /// Values that no ship has are refused, by name and with what is allowed.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let offset = -400.0..=400.0;
+        let ranges = [
+            ("length_m", Some(self.length_m), 5.0..=460.0),
+            ("beam_m", Some(self.beam_m), 1.0..=80.0),
+            (
+                "antenna_forward_m",
+                Some(self.antenna_forward_m),
+                offset.clone(),
+            ),
+            (
+                "antenna_starboard_m",
+                Some(self.antenna_starboard_m),
+                offset.clone(),
+            ),
+            (
+                "conning_forward_m",
+                Some(self.conning_forward_m),
+                offset.clone(),
+            ),
+            (
+                "conning_starboard_m",
+                Some(self.conning_starboard_m),
+                offset.clone(),
+            ),
+            ("rudder_forward_m", Some(self.rudder_forward_m), offset),
+            ("start_lat", self.start_lat, -85.0..=85.0),
+            ("start_lon", self.start_lon, -180.0..=180.0),
+            ("start_heading", self.start_heading, 0.0..=360.0),
+            ("speed_kn", Some(self.speed_kn), 1.0..=40.0),
+            ("current_set", Some(self.current_set), 0.0..=360.0),
+            ("current_drift_kn", Some(self.current_drift_kn), 0.0..=10.0),
+        ];
+        for (name, value, range) in ranges {
+            if let Some(value) = value
+                && !range.contains(&value)
+            {
+                let (low, high) = (range.start(), range.end());
+                return Err(format!("{name} = {value}; allowed are {low} to {high}"));
+            }
+        }
+        if self.start_lat.is_some() == self.start_lon.is_some() {
+            Ok(())
+        } else {
+            Err("start_lat and start_lon go together".to_owned())
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! CFG-1: a configuration printed as it is in force, with every default.
+
+use super::{Config, Place, policy_name, profile_name};
+use std::fmt::Write;
+use wheelover_core::settings::TABLE;
+
+/// The configuration as TOML that gives the same again.
+#[must_use]
+pub fn in_force(config: &Config) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write(config, &mut text);
+    text
+}
+
+fn write(config: &Config, out: &mut String) -> std::fmt::Result {
+    let roles: Vec<String> = config
+        .roles
+        .iter()
+        .map(|role| quoted(role.name()))
+        .collect();
+    writeln!(out, "roles = [{}]", roles.join(", "))?;
+    writeln!(out, "listen = \"{}\"", config.listen)?;
+    writeln!(out, "allow_output = {}", config.allow_output)?;
+    for port in &config.ports {
+        let setup = &port.setup;
+        writeln!(out, "\n[[port]]\nname = {}", quoted(&setup.name))?;
+        writeln!(out, "station = \"{}\"", port.station.name())?;
+        let (kind, key, place) = match &port.place {
+            Place::File(path) => ("file", "path", path.display().to_string()),
+            Place::Serial(path, _) => ("serial", "path", path.display().to_string()),
+            Place::TcpClient(address) => ("tcp-client", "address", address.clone()),
+            Place::TcpServer(address) => ("tcp-server", "address", address.to_string()),
+            Place::Udp(address) => ("udp", "address", address.to_string()),
+        };
+        writeln!(out, "kind = \"{kind}\"\n{key} = {}", quoted(&place))?;
+        if let Place::Serial(_, baud) = port.place {
+            writeln!(out, "baud = {baud}")?;
+        }
+        writeln!(out, "profile = \"{}\"", profile_name(setup.profile))?;
+        writeln!(out, "checksum = \"{}\"", policy_name(setup.checksum))?;
+        writeln!(out, "output = {}", setup.output)?;
+    }
+    ship(config, out)?;
+    writeln!(out, "\n[autopilot]")?;
+    for (line, (name, value)) in TABLE.iter().zip(config.settings.values()) {
+        let unit = if line.unit.is_empty() { "" } else { " " };
+        writeln!(
+            out,
+            "{:<26}# {} to {}{unit}{}: {}",
+            format!("{name} = {value:?}"),
+            line.min,
+            line.max,
+            line.unit,
+            line.help
+        )?;
+    }
+    route(config, out)
+}
+
+fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
+    let ship = &config.ship;
+    writeln!(out, "\n[ship]\nmodel = \"mariner\"")?;
+    for (name, value) in [
+        ("length_m", Some(ship.length_m)),
+        ("beam_m", Some(ship.beam_m)),
+        ("antenna_forward_m", Some(ship.antenna_forward_m)),
+        ("antenna_starboard_m", Some(ship.antenna_starboard_m)),
+        ("conning_forward_m", Some(ship.conning_forward_m)),
+        ("conning_starboard_m", Some(ship.conning_starboard_m)),
+        ("rudder_forward_m", Some(ship.rudder_forward_m)),
+        ("rudder_max_deg", ship.rudder_max_deg),
+        ("rudder_slew_deg_s", ship.rudder_slew_deg_s),
+        ("start_lat", ship.start_lat),
+        ("start_lon", ship.start_lon),
+        ("start_heading", ship.start_heading),
+        ("speed_kn", Some(ship.speed_kn)),
+        ("current_set", Some(ship.current_set)),
+        ("current_drift_kn", Some(ship.current_drift_kn)),
+    ] {
+        if let Some(value) = value {
+            writeln!(out, "{name} = {value:?}")?;
+        }
+    }
+    Ok(())
+}
+
+fn route(config: &Config, out: &mut String) -> std::fmt::Result {
+    let Some(route) = &config.route else {
+        return writeln!(
+            out,
+            "\n# [route]: none; a chart-system side here sails the embedded one"
+        );
+    };
+    let document = route.document(0);
+    writeln!(out, "\n[route]\nname = {}", quoted(&document.name))?;
+    for waypoint in &document.waypoints {
+        writeln!(out, "\n[[route.waypoint]]\nid = {}", quoted(&waypoint.id))?;
+        writeln!(
+            out,
+            "lat = {:?}\nlon = {:?}",
+            waypoint.position.lat, waypoint.position.lon
+        )?;
+        if let Some(radius) = waypoint.radius_nm {
+            writeln!(out, "radius_nm = {:?}", (radius * 1e6).round() / 1e6)?;
+        }
+        writeln!(
+            out,
+            "xtd_port_m = {:?}\nxtd_starboard_m = {:?}",
+            waypoint.xtd_m[0], waypoint.xtd_m[1]
+        )?;
+    }
+    Ok(())
+}
+
+fn quoted(text: &str) -> String {
+    format!("{text:?}").replace("\\'", "'")
+}

@@ -1,0 +1,175 @@
+//! What a configuration may say, and what is said about the rest.
+
+use super::{from_text, in_force};
+use crate::Error;
+
+const PORT: &str = "[[port]]\nname = \"ecdis\"\nkind = \"tcp-server\"\naddress = \"127.0.0.1:0\"\nprofile = \"ecdis\"\n";
+
+/// `text` is refused at `line`, with every one of `words` in the complaint.
+fn check(text: &str, line: usize, words: &[&str]) {
+    let error = from_text("w.toml", text, None).expect_err(text);
+    let Error::Config {
+        line: at,
+        text: complaint,
+        ..
+    } = &error
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(*at, Some(line), "{text}: {error}");
+    assert!(!complaint.contains('\n'), "one line: {error}");
+    for word in words {
+        assert!(complaint.contains(word), "{word} is not in: {error}");
+    }
+    assert!(error.to_string().starts_with("w.toml:"));
+}
+
+#[test]
+fn every_key_may_be_left_out() {
+    let config = from_text("w.toml", "", None).unwrap();
+    assert_eq!(config.roles.len(), 3);
+    assert_eq!(config.listen.to_string(), "127.0.0.1:8080");
+    assert!(!config.allow_output);
+}
+
+#[test]
+fn unknown_keys_are_named_with_their_line_and_what_is_allowed() {
+    check(
+        "allow_output = true\nlissen = \"1\"\n",
+        2,
+        &["unknown key `lissen`", "allowed", "`listen`"],
+    );
+    check(
+        &format!("{PORT}speed = 4800\n"),
+        6,
+        &["unknown key `speed`", "`baud`"],
+    );
+    check(
+        "[autopilot]\nrudder_limits = 5.0\n",
+        2,
+        &["unknown key `rudder_limits`", "`rudder_limit`"],
+    );
+    check(
+        "[ship]\nlength = 5\n",
+        2,
+        &["unknown key `length`", "`length_m`"],
+    );
+    check(
+        "roles = [\"pilot\"]\n",
+        1,
+        &["unknown value `pilot`", "`chart_system`"],
+    );
+}
+
+#[test]
+fn values_that_cannot_be_are_refused() {
+    check("listen = \"here\"\n", 1, &["listen", "IP:PORT"]);
+    check("roles = []\n", 1, &["roles", "autopilot"]);
+    check(
+        "[autopilot]\nrudder_limit = 99\n",
+        2,
+        &["rudder_limit", "2 to 35"],
+    );
+    check(
+        "[autopilot]\nrudder_limit = nan\n",
+        2,
+        &["rudder_limit", "2 to 35"],
+    );
+    check("[ship]\nspeed_kn = 0\n", 1, &["speed_kn", "1 to 40"]);
+    check("allow_output = yes\n", 1, &[]);
+    check("listen = \n", 1, &[]);
+}
+
+#[test]
+fn ports_are_checked() {
+    let one = "roles = [\"autopilot\"]\n";
+    let serial = |rest: &str| {
+        format!(
+            "{one}[[port]]\nname = \"gear\"\nkind = \"serial\"\nprofile = \"gear\"\npath = \"/dev/ttyX\"\n{rest}"
+        )
+    };
+    assert!(from_text("w.toml", &format!("{one}{PORT}"), None).is_ok());
+    check(PORT, 1, &["\"ecdis\"", "station", "\"world\""]);
+    check(
+        &format!("{one}{PORT}station = \"world\"\n"),
+        7,
+        &["world", "\"autopilot\""],
+    );
+    check(&format!("{one}{PORT}{PORT}"), 8, &["named twice"]);
+    check(
+        &format!("{one}{PORT}{}", PORT.replacen("ecdis", "other", 1)),
+        11,
+        &["profile", "ecdis"],
+    );
+    check(
+        &format!("{one}{PORT}checksum = \"optional\"\n"),
+        7,
+        &["optional", "\"required\"", "\"learned\""],
+    );
+    check(
+        &format!("{one}{PORT}baud = 4800\n"),
+        7,
+        &["baud", "tcp-server"],
+    );
+    check(&serial("baud = 9600\n"), 7, &["9600", "4800 and 38400"]);
+    let again = serial("").replace("gear", "log").replace(one, "");
+    check(&(serial("") + &again), 7, &["same place", "gear", "log"]);
+    let without = serial("").replace("path = \"/dev/ttyX\"\n", "");
+    check(&without, 2, &["needs the key path"]);
+    let file = serial("output = true\n").replace("serial", "file");
+    check(&file, 2, &["only read"]);
+}
+
+#[test]
+fn a_line_that_would_be_overloaded_is_refused_with_the_sum() {
+    let gear = |rate: &str| {
+        format!(
+            "roles = [\"autopilot\"]\n[autopilot]\nstep_hz = {rate}\n[[port]]\nname = \"gear\"\n\
+             kind = \"serial\"\nprofile = \"gear\"\npath = \"/dev/ttyX\"\noutput = true\n"
+        )
+    };
+    assert!(from_text("w.toml", &gear("10"), None).is_ok());
+    check(
+        &gear("20"),
+        4,
+        &["ROR 29 x 20 = 580", "121 %", "480", "80 %"],
+    );
+    assert!(
+        from_text(
+            "w.toml",
+            &gear("20").replace("output = true", "baud = 38400"),
+            None
+        )
+        .is_ok()
+    );
+}
+
+#[test]
+fn a_route_that_does_not_fit_is_refused() {
+    let route = |radius: &str| {
+        format!(
+            "[[route.waypoint]]\nid = \"A\"\nlat = 54.0\nlon = 10.0\n[[route.waypoint]]\nid = \"B\"\nlat = 54.1\n\
+             lon = 10.0\nradius_nm = {radius}\n[[route.waypoint]]\nid = \"C\"\nlat = 54.1\nlon = 10.2\n"
+        )
+    };
+    assert!(from_text("w.toml", &route("0.5"), None).is_ok());
+    check(
+        &route("9"),
+        1,
+        &["route", "radius 9.000 nm", "B", "largest"],
+    );
+    check(&route("nan"), 1, &["B", "not a number"]);
+}
+
+#[test]
+fn what_is_in_force_reads_back_the_same() {
+    let text = format!(
+        "roles = [\"autopilot\", \"chart_system\"]\nallow_output = true\n{PORT}station = \"autopilot\"\noutput = true\n\
+         [autopilot]\nrudder_limit = 12\n[[route.waypoint]]\nid = \"A\"\nlat = 54.0\nlon = 10.0\n\
+         [[route.waypoint]]\nid = \"B\"\nlat = 54.1\nlon = 10.0\n"
+    );
+    let first = in_force(&from_text("w.toml", &text, None).unwrap());
+    let again = in_force(&from_text("w.toml", &first, None).unwrap());
+    assert_eq!(first, again);
+    assert!(first.contains("rudder_limit = 12.0"));
+}

@@ -1,0 +1,75 @@
+//! From a configuration to the stations that run here.
+
+use super::{Config, Role};
+use wheelover_core::autopilot::steering::SteeringSettings;
+use wheelover_core::chart_system::ChartConfig;
+use wheelover_core::route::{embedded, embedded_start};
+use wheelover_core::station::PortSetup;
+use wheelover_core::units::{Course, Heading, Speed};
+use wheelover_core::voyage::{Voyage, VoyageConfig};
+use wheelover_core::world::WorldConfig;
+
+impl Config {
+    /// The voyage of this configuration.
+    #[must_use]
+    pub fn voyage(&self) -> Voyage {
+        let ship = &self.ship;
+        let ports = self.ports.iter().enumerate().map(|(index, port)| {
+            let setup = PortSetup {
+                output: self.may_send(index),
+                ..port.setup.clone()
+            };
+            (port.station, setup)
+        });
+        let chart = ChartConfig {
+            route: Some(self.route.clone().unwrap_or_else(embedded)),
+            conning_offset_m: [
+                ship.conning_forward_m - ship.antenna_forward_m,
+                ship.conning_starboard_m - ship.antenna_starboard_m,
+            ],
+            ..ChartConfig::default()
+        };
+        Voyage::configured(VoyageConfig {
+            roles: self.roles.clone(),
+            ports: ports.collect(),
+            settings: self.settings.clone(),
+            ship: SteeringSettings::default(),
+            chart,
+            world: self.world(),
+        })
+    }
+
+    /// The simulated ship: where she is told to be, else at the beginning of the route.
+    fn world(&self) -> WorldConfig {
+        let ship = &self.ship;
+        let (mut start, mut heading) = embedded_start();
+        if let Some(route) = &self.route {
+            let document = route.document(0);
+            if let [first, second, ..] = document.waypoints.as_slice() {
+                start = first.position;
+                heading = Heading::from_deg(second.course.unwrap_or_default());
+            }
+        }
+        if let (Some(lat), Some(lon)) = (ship.start_lat, ship.start_lon) {
+            start.lat = lat;
+            start.lon = lon;
+        }
+        if let Some(told) = ship.start_heading {
+            heading = Heading::from_deg(told);
+        }
+        WorldConfig {
+            start,
+            heading,
+            speed: Speed::from_knots(ship.speed_kn),
+            current_set: Course::from_deg(ship.current_set),
+            current_drift: Speed::from_knots(ship.current_drift_kn),
+            ..WorldConfig::default()
+        }
+    }
+
+    /// Whether a station runs here.
+    #[must_use]
+    pub fn runs(&self, role: Role) -> bool {
+        self.roles.contains(&role)
+    }
+}

@@ -1,0 +1,185 @@
+//! What waits to be sent on a port: the newest sentence of each kind (FB11).
+
+use std::collections::VecDeque;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+use tokio::sync::Notify;
+
+/// Kinds that may wait at once; far more than any port has.
+const PLACES: usize = 128;
+/// A periodic sentence that waited longer is not sent: a fresh one follows.
+const OLDEST: Duration = Duration::from_secs(2);
+
+#[derive(Debug)]
+struct Waiting {
+    key: Vec<u8>,
+    line: Vec<u8>,
+    since: Instant,
+}
+
+/// One slot for each formatter and sub-identifier. Pushing never waits.
+#[derive(Debug, Default)]
+pub struct Outbox {
+    waiting: Mutex<VecDeque<Waiting>>,
+    news: Notify,
+}
+
+impl Outbox {
+    fn lock(&self) -> MutexGuard<'_, VecDeque<Waiting>> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Takes whole sentences; each replaces the one of its kind that still waits.
+    pub fn push(&self, sentences: &[u8], now: Instant) {
+        let mut waiting = self.lock();
+        for line in sentences.split_inclusive(|byte| *byte == b'\n') {
+            let key = key(line);
+            let fresh = Waiting {
+                line: line.to_vec(),
+                since: now,
+                key,
+            };
+            if let Some(old) = waiting.iter_mut().find(|old| old.key == fresh.key) {
+                *old = fresh;
+                continue;
+            }
+            if waiting.len() >= PLACES {
+                let periodic = waiting.iter().position(|old| !is_event(&old.key));
+                waiting.remove(periodic.unwrap_or(0));
+            }
+            waiting.push_back(fresh);
+        }
+        drop(waiting);
+        self.news.notify_one();
+    }
+
+    /// The next sentence to send; periodic ones that are too old are left out.
+    pub fn take(&self, now: Instant) -> Option<Vec<u8>> {
+        let mut waiting = self.lock();
+        while let Some(next) = waiting.pop_front() {
+            if is_event(&next.key) || now.saturating_duration_since(next.since) <= OLDEST {
+                return Some(next.line);
+            }
+        }
+        None
+    }
+
+    /// Waits until there is something to send, and takes it.
+    pub async fn next(&self) -> Vec<u8> {
+        loop {
+            if let Some(line) = self.take(Instant::now()) {
+                return line;
+            }
+            self.news.notified().await;
+        }
+    }
+}
+
+/// Sentences that are sent once, when something happens; they are never left out.
+fn is_event(key: &[u8]) -> bool {
+    [b"ALR", b"ALA", b"ALF", b"ALC", b"ARC"]
+        .iter()
+        .any(|event| key.starts_with(*event))
+}
+
+/// Formatter and sub-identifier: PNEY number, alert number, part of a series.
+fn key(line: &[u8]) -> Vec<u8> {
+    let end = line
+        .iter()
+        .position(|byte| *byte == b'*')
+        .unwrap_or(line.len());
+    let fields: Vec<&[u8]> = line[..end].split(|byte| *byte == b',').collect();
+    let address = fields.first().copied().unwrap_or_default();
+    let proprietary = address.get(1) == Some(&b'P');
+    let from = if proprietary { 1 } else { 3 };
+    let mut key = address.get(from..).unwrap_or(address).to_vec();
+    let further: &[usize] = match key.as_slice() {
+        _ if proprietary => &[1],
+        b"ALR" => &[2],
+        b"ALA" => &[2, 3, 4, 5],
+        b"ALF" => &[2, 8, 9, 10],
+        b"ALC" => &[2],
+        b"ARC" => &[2, 3, 4],
+        _ => &[],
+    };
+    for index in further {
+        key.push(b',');
+        key.extend_from_slice(fields.get(*index).copied().unwrap_or_default());
+    }
+    key
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is left to send, in order, after `pushed`.
+    fn check(pushed: &[&str], expect: &[&str]) {
+        let outbox = Outbox::default();
+        let now = Instant::now();
+        for text in pushed {
+            outbox.push(text.as_bytes(), now);
+        }
+        let mut sent = Vec::new();
+        while let Some(line) = outbox.take(now) {
+            sent.push(String::from_utf8(line).unwrap());
+        }
+        assert_eq!(sent, expect);
+    }
+
+    #[test]
+    fn the_newest_of_each_kind_is_sent() {
+        check(
+            &[
+                "$AGROR,1.0,A*hh\r\n",
+                "$AGHTD,V*hh\r\n",
+                "$AGROR,2.0,A*hh\r\n",
+            ],
+            &["$AGROR,2.0,A*hh\r\n", "$AGHTD,V*hh\r\n"],
+        );
+        check(
+            &["$AGROR,1\r\n$AGRSA,1\r\n", "$AGRSA,2\r\n"],
+            &["$AGROR,1\r\n", "$AGRSA,2\r\n"],
+        );
+    }
+
+    #[test]
+    fn numbered_sentences_have_a_slot_each() {
+        check(
+            &["$PNEY,001,a\r\n", "$PNEY,002,b\r\n", "$PNEY,001,c\r\n"],
+            &["$PNEY,001,c\r\n", "$PNEY,002,b\r\n"],
+        );
+        let alerts = ["$AGALR,,012,A,V,*hh\r\n", "$AGALR,,013,A,V,*hh\r\n"];
+        check(&alerts, &alerts);
+        check(
+            &["$AGALR,,012,A,V,\r\n", "$AGALR,,012,V,V,\r\n"],
+            &["$AGALR,,012,V,V,\r\n"],
+        );
+        let parts = [
+            "$AGALF,2,1,0,,B,A,V,,245,1,1\r\n",
+            "$AGALF,2,2,0,,,,,,245,1,1\r\n",
+            "$AGALF,2,1,1,,B,A,V,,246,1,1\r\n",
+        ];
+        check(&parts, &parts);
+    }
+
+    #[test]
+    fn a_periodic_sentence_that_waited_too_long_is_left_out_and_an_alert_is_not() {
+        let outbox = Outbox::default();
+        let now = Instant::now();
+        outbox.push(b"$AGROR,1,A\r\n$AGALR,,012,A,V\r\n", now);
+        let later = now + Duration::from_secs(3);
+        assert_eq!(outbox.take(later).unwrap(), b"$AGALR,,012,A,V\r\n");
+        assert!(outbox.take(later).is_none());
+    }
+
+    #[test]
+    fn what_waits_is_bounded() {
+        let outbox = Outbox::default();
+        let now = Instant::now();
+        for number in 0..10_000 {
+            outbox.push(format!("$PTST,{number}\r\n").as_bytes(), now);
+        }
+        assert_eq!(outbox.lock().len(), PLACES);
+    }
+}

@@ -1,0 +1,136 @@
+//! `--record`: everything that happens and everything that comes of it, written by a thread of its own (CFG-1).
+//!
+//! **Invariant:** the control thread never waits for the disk. Where the disk cannot follow, the recording
+//! ends there, and what was written replays.
+
+use crate::error::{Error, reason};
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+use wheelover_core::recording;
+use wheelover_core::time::Stamp;
+use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
+
+/// Entries that may wait for the disk: some seconds at the fastest pace.
+const QUEUE: usize = 32_768;
+
+/// What is written.
+enum Entry {
+    Event(Stamp, Event),
+    Output(Stamp, VoyageOutput),
+}
+
+/// The control thread's end.
+pub struct Recorder {
+    sender: Option<SyncSender<Entry>>,
+    writer: Option<JoinHandle<()>>,
+}
+
+impl Recorder {
+    /// Begins a recording with the voyage as it is.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn begin(path: &Path, voyage: &Voyage) -> Result<Self, Error> {
+        let failed = |source| Error::File {
+            path: path.display().to_string(),
+            source,
+        };
+        let mut file = BufWriter::new(File::create(path).map_err(failed)?);
+        writeln!(file, "{}", recording::checkpoint(voyage))
+            .and_then(|()| file.flush())
+            .map_err(failed)?;
+        let (sender, receiver) = sync_channel(QUEUE);
+        let name = path.display().to_string();
+        let writer = std::thread::Builder::new()
+            .name("recorder".to_owned())
+            .spawn(move || {
+                if let Err(error) = write(file, &receiver) {
+                    eprintln!(
+                        "caution: {name}: the recording ends here: {}",
+                        reason(&error)
+                    );
+                }
+            })
+            .map_err(failed)?;
+        Ok(Self {
+            sender: Some(sender),
+            writer: Some(writer),
+        })
+    }
+
+    /// Notes an event before it takes effect.
+    pub fn event(&mut self, at: Stamp, event: &Event) {
+        self.put(|| Entry::Event(at, event.clone()));
+    }
+
+    /// Notes an output.
+    pub fn output(&mut self, at: Stamp, output: &VoyageOutput) {
+        self.put(|| Entry::Output(at, output.clone()));
+    }
+
+    fn put(&mut self, entry: impl FnOnce() -> Entry) {
+        let Some(sender) = &self.sender else { return };
+        match sender.try_send(entry()) {
+            Ok(()) => {}
+            Err(TrySendError::Full(_)) => {
+                eprintln!("caution: the disk does not follow: the recording ends here");
+                self.sender = None;
+            }
+            Err(TrySendError::Disconnected(_)) => self.sender = None,
+        }
+    }
+}
+
+impl Drop for Recorder {
+    fn drop(&mut self) {
+        self.sender = None;
+        if let Some(writer) = self.writer.take() {
+            let _ = writer.join();
+        }
+    }
+}
+
+fn write(mut file: BufWriter<File>, entries: &Receiver<Entry>) -> std::io::Result<()> {
+    loop {
+        match entries.recv_timeout(Duration::from_millis(500)) {
+            Ok(Entry::Event(at, event)) => writeln!(file, "{}", recording::event(at, &event))?,
+            Ok(Entry::Output(at, output)) => writeln!(file, "{}", recording::output(at, &output))?,
+            Err(RecvTimeoutError::Timeout) => file.flush()?,
+            Err(RecvTimeoutError::Disconnected) => return file.flush(),
+        }
+    }
+}
+
+/// Runs a recording again; the exit code is 1 where the outputs differ, and what is said is one line.
+///
+/// # Errors
+/// The file cannot be read, or is no recording.
+pub fn replay(path: &Path, quiet: bool) -> Result<i32, Error> {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|source| Error::File {
+        path: name.clone(),
+        source,
+    })?;
+    // A recording that was cut off ends within a line.
+    let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
+    match recording::replay(whole.lines()) {
+        Ok(replayed) => {
+            if !quiet {
+                println!(
+                    "{name}: {} events and {} outputs: all the same",
+                    replayed.events, replayed.outputs
+                );
+            }
+            Ok(0)
+        }
+        Err(error @ recording::RecordingError::Different { .. }) => {
+            println!("{name}: {error}");
+            Ok(1)
+        }
+        Err(error) => Err(Error::Other(format!("{name}: {error}"))),
+    }
+}
