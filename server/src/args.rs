@@ -41,9 +41,9 @@ pub enum Command {
         #[arg(short, long)]
         quiet: bool,
     },
-    /// Check a recorded dialogue against the rules
+    /// List the breaches of the rules in a recorded dialogue
     Check {
-        /// The dialogue
+        /// The dialogue, both directions, or - for standard input
         file: PathBuf,
         /// One JSON object a breach
         #[arg(long)]
