@@ -71,7 +71,7 @@ impl Default for ChartConfig {
                 port("log", Profile::Log, false),
             ],
             forwarding_s: None,
-            forwarding_tn_s: 12.0,
+            forwarding_tn_s: 26.0,
             early_s: 180.0,
             soon_s: 30.0,
             begin_cross_track: Distance::from_nm(0.5),

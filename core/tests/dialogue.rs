@@ -5,7 +5,7 @@
 use wheelover_core::conformance::{Breach, Checker};
 use wheelover_core::nmea::{Htd, SteeringMode, Xte, decode};
 use wheelover_core::station::Profile;
-use wheelover_core::stream::Line;
+use wheelover_core::stream::{ChartRequest, Do, Line, ModeRequest};
 use wheelover_core::time::Stamp;
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
@@ -16,7 +16,8 @@ struct Sailed {
     widest: (f64, f64),
 }
 
-fn sail(seed: u64, seconds: u64) -> Sailed {
+/// A round by the scripted officer, or in "Tn" by hand.
+fn sail(seed: u64, seconds: u64, by_hand: Option<ChartRequest>) -> Sailed {
     let mut voyage = Voyage::embedded(seed);
     let ecdis = voyage
         .hello("test")
@@ -31,6 +32,17 @@ fn sail(seed: u64, seconds: u64) -> Sailed {
     let mut widest = (0.0, 0.0);
     for step in 1..=seconds * 10 {
         voyage.handle(Stamp(step * 100), Event::Tick, &mut out);
+        let button = by_hand.and_then(|request| match step {
+            1 => Some(Do::Officer(false)),
+            20 => Some(Do::Mode(ModeRequest::Auto)),
+            60 => Some(Do::Chart(request)),
+            100 => Some(Do::Mode(ModeRequest::Autonav)),
+            _ => None,
+        });
+        if let Some(action) = button {
+            let event = Event::Command { id: step, action };
+            voyage.handle(Stamp(step * 100), event, &mut out);
+        }
         for output in out.drain(..) {
             let VoyageOutput::Line(Line(seq, at, port, _, text)) = output else {
                 continue;
@@ -47,7 +59,10 @@ fn sail(seed: u64, seconds: u64) -> Sailed {
                 (mode, since) = (htd.steering_mode, at);
             }
             if let Some(xte) = Xte::from_sentence(&sentence)
-                && mode == Some(SteeringMode::TrackControl)
+                && matches!(
+                    mode,
+                    Some(SteeringMode::TrackControl | SteeringMode::HeadingControl)
+                )
                 && at - since > 5.0
             {
                 let off = xte.cross_track.unwrap_or(0.0).abs() * 1852.0;
@@ -67,7 +82,7 @@ fn sail(seed: u64, seconds: u64) -> Sailed {
 
 #[test]
 fn a_round_of_the_embedded_voyage_has_no_breach() {
-    let sailed = sail(1, 4_200);
+    let sailed = sail(1, 4_200, None);
     let situations: Vec<u8> = sailed
         .checker
         .spans()
@@ -87,4 +102,20 @@ fn a_round_of_the_embedded_voyage_has_no_breach() {
     }
     println!("widest {:?}, situations {situations:?}", sailed.widest);
     assert!(sailed.widest.0 <= 50.0, "{:?}", sailed.widest);
+}
+
+// TCS-12
+#[test]
+fn a_round_in_tn_has_no_breach_and_stays_near_the_track() {
+    let sailed = sail(2, 3_600, Some(ChartRequest::Heading));
+    assert!(sailed.breaches.is_empty(), "{:#?}", sailed.breaches);
+    let situations: Vec<u8> = sailed
+        .checker
+        .spans()
+        .iter()
+        .map(|span| span.situation)
+        .collect();
+    println!("widest {:?}, situations {situations:?}", sailed.widest);
+    assert_eq!(situations, [1, 6]);
+    assert!(sailed.widest.0 <= 120.0, "{:?}", sailed.widest);
 }

@@ -106,8 +106,8 @@ impl ChartSystem {
         }
     }
 
-    /// The turn that has begun in "Tn": its line lies nearer to the arc than the one of "Ti", because a ship
-    /// that is given a rate needs no time to build up curvature by itself.
+    /// The turn that has begun in "Tn": its line lies a little nearer to the arc than the one of "Ti"; the time
+    /// is the one that keeps the simulated ship nearest to her arcs (`core/tests/dialogue.rs`).
     fn turn_in_tn(&self, now: Stamp) -> Option<&Turn> {
         let (route, turn) = (self.route.as_ref()?, self.turn()?);
         match self.phase()? {

@@ -38,9 +38,9 @@ fn in_tn_headings_are_commanded_on_legs_and_rates_in_turns() {
         0.9549 * SPEED_KN / 0.35,
         0.1,
     );
-    // 12 s before the arc and the arc itself.
+    // 26 s before the arc and the arc itself.
     let turn = &route().turns()[0].clone();
-    near(f64::from(turns), 12.0 + turn.length().m() / STEP_M, 1.5);
+    near(f64::from(turns), 26.0 + turn.length().m() / STEP_M, 1.5);
 }
 
 // TCS-6, AP-6
