@@ -4,11 +4,15 @@ use crate::heard::{Agreement, Fold};
 use crate::link::{self, wall};
 use crate::reading::Readings;
 use leptos::prelude::*;
+use std::time::Duration;
 use wheelover_core::stream::{Answer, Do, Hello, Lines, PortView, RouteDocument, Snapshot};
 use wheelover_core::time::Stamp;
 
 /// A frame may be so late before the page lets its own clock run on, milliseconds on the wall.
 const BATCH: f64 = 300.0;
+
+/// So long a refusal is shown.
+const REFUSAL: Duration = Duration::from_secs(20);
 
 /// What a hello says besides the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -224,6 +228,7 @@ impl Deck {
                 Readings::of(&fold.picture, own.as_ref(), now, age.unwrap_or(u64::MAX))
             })
         });
+        let readings = self.calm(readings);
         self.link.set(link);
         self.readings.set(readings);
         if age.is_none_or(|age| age > crate::reading::LINK_LOST_MS) {
@@ -233,6 +238,18 @@ impl Deck {
         if agreement != self.agreement.get_untracked() {
             self.agreement.set(agreement);
         }
+    }
+
+    /// Smooths the shown rate of turn over two seconds: a gyro's noise must not dance in the digits.
+    fn calm(&self, mut readings: Readings) -> Readings {
+        let before = self
+            .readings
+            .with_untracked(|before| (before.now, before.rot.value));
+        if let (Some(raw), (then, Some(old))) = (readings.rot.value, before) {
+            let passed = readings.now.since(then) as f64 / 2_000.0;
+            readings.rot.value = Some(old + (raw - old) * (1.0 - libm::exp(-passed)));
+        }
+        readings
     }
 
     /// Sends a command for a button.
@@ -258,7 +275,15 @@ impl Deck {
     pub(crate) fn answered(&self, answer: Answer) {
         self.asked
             .update(|asked| asked.retain(|asked| asked.id != answer.id));
+        let (id, shown) = (answer.id, self.answer);
         self.answer.set(Some(answer));
+        // A refusal need not stand beside a mode that has long changed.
+        let fade = move || {
+            if shown.with_untracked(|shown| shown.as_ref().is_some_and(|shown| shown.id == id)) {
+                shown.set(None);
+            }
+        };
+        set_timeout(fade, REFUSAL);
     }
 }
 

@@ -34,6 +34,8 @@ pub struct Latest {
 /// Port, direction (heard first) and address without its talker.
 pub type Lane = (PortIndex, bool, String);
 
+/// How many lines before the hello a new page asks for: the way made good and the dialogue's start.
+const BACKLOG: u64 = 3_000;
 /// How many lines the log keeps.
 const LOG: usize = 300;
 /// How many points the track made good keeps.
@@ -75,7 +77,7 @@ impl Fold {
         self.agreement = Agreement::Unknown;
         self.awaited.clear();
         if self.seen == 0 {
-            hello.line.saturating_sub(200) + 1
+            hello.line.saturating_sub(BACKLOG) + 1
         } else {
             self.seen + 1
         }
@@ -102,15 +104,26 @@ impl Fold {
                 self.compare();
             }
             if *dir == Direction::In
-                && sentence.formatter == "GLL"
-                && let Some(time) = nmea::Gll::from_sentence(&sentence).and_then(|gll| gll.time)
+                && let Some(gll) = nmea::Gll::from_sentence(&sentence)
             {
-                self.utc = Some((time.seconds(), Stamp(*at)));
+                self.utc = gll
+                    .time
+                    .map(|time| (time.seconds(), Stamp(*at)))
+                    .or(self.utc);
+                // Before the hello's picture: only the way that was made good.
+                if *sequence < self.folded
+                    && gll.status == Some(nmea::DataStatus::Valid)
+                    && let Some(position) = gll.position
+                {
+                    self.walk(position);
+                }
             }
             let lane = (*port, *dir == Direction::Out, lane_name(&sentence));
             self.keep(lane, line);
         }
-        self.walk();
+        if let Some(fix) = self.picture.fix(self.line_at).map(|fix| fix.value.position) {
+            self.walk(fix);
+        }
         true
     }
 
@@ -163,10 +176,7 @@ impl Fold {
         }
     }
 
-    fn walk(&mut self) {
-        let Some(fix) = self.picture.fix(self.line_at).map(|fix| fix.value.position) else {
-            return;
-        };
+    fn walk(&mut self, fix: Position) {
         let step = self.trail.last().map(|last| {
             let plane = Plane::at(*last);
             plane.point(fix).distance(plane.point(*last))

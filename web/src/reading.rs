@@ -223,6 +223,7 @@ impl Readings {
             heading,
             cog,
         };
+        readings.side_the_set_rate(picture);
         if picture.fix(now).is_some_and(|fix| !fix.value.corrected)
             && matches!(readings.position.state, Freshness::Valid | Freshness::Late)
         {
@@ -233,6 +234,29 @@ impl Readings {
         } else {
             readings
         }
+    }
+
+    /// The set rate: the chart system's, else the one that the autopilot reports; its side is the way to the track.
+    fn side_the_set_rate(&mut self, picture: &Picture) {
+        if self.rot_set.value.is_none() {
+            self.rot_set = Reading::heard(
+                picture,
+                picture.htd.as_ref(),
+                Quantity::Report,
+                self.now,
+                |htd| htd.rate_of_turn,
+            );
+        }
+        let to_turn = self
+            .track
+            .value
+            .zip(self.heading.value)
+            .map(|(t, h)| wrap_180(t - h));
+        self.rot_set.value = self
+            .rot_set
+            .value
+            .zip(to_turn)
+            .map(|(rate, side)| libm::copysign(rate, side));
     }
 
     /// No link: no value may look alive.

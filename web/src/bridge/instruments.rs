@@ -163,7 +163,7 @@ fn RatePanel() -> impl IntoView {
             Bar {
                 value: r.rot.value,
                 order: r.rot_set.value,
-                full: gauge::full_scale(largest, &[30.0, 60.0, 120.0, 300.0]),
+                full: gauge::full_scale(largest, &[60.0, 120.0, 300.0]),
                 limit: None,
             }
         })

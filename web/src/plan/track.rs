@@ -97,7 +97,7 @@ fn TurnShape(frame: Frame, turn: Turn, name: String) -> impl IntoView {
         east: (turn.wheel_over.east + turn.start.east) / 2.0,
     };
     let (fx, fy) = frame.point(beside(middle, 36.0));
-    let (wx, wy) = frame.point(turn.wheel_over.towards(turn.course_in + side, unit(52.0)));
+    let (wx, wy) = frame.point(turn.wheel_over.towards(turn.course_in - side, unit(56.0)));
     view! {
         <path class="arc" data-plan="arc" d=frame.path(&turn.arc(0.0, 0.0))/>
         <path class="wol" data-plan="wheel-over" d=frame.across(turn.wheel_over, turn.course_in, unit(36.0))/>

@@ -35,6 +35,9 @@ pub(crate) fn Plan() -> impl IntoView {
                 f64::from(element.client_height()),
             )
         });
+        if size.0 < 1.0 || size.1 < 1.0 {
+            return None; // Not laid out, or on its way out.
+        }
         deck.readings.with(|readings| {
             if let Some(position) = readings.position.value {
                 last_known.set_value(Some(position));
