@@ -100,7 +100,7 @@ pub struct Truth {
 }
 
 /// Hull, steering gear and sensors behind ports.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct World {
     config: WorldConfig,
     hull: Hull,
@@ -179,7 +179,7 @@ impl World {
             && Some(port) == self.port(Profile::Gear)
         {
             self.ear.hear(bytes, &mut |order| {
-                self.order = order.map(|degrees| (degrees.to_radians(), now));
+                self.order = order.map(|angle| (angle.rad(), now));
             });
         }
     }
