@@ -3,6 +3,8 @@
 //! No clock, socket, thread, log or random source is inside; `now` and seeds are arguments.
 #![no_std]
 extern crate alloc;
+#[cfg(test)]
+extern crate std;
 
 pub mod alerts;
 pub mod autopilot;

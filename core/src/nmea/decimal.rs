@@ -1,6 +1,6 @@
 //! Numbers as they stand on the wire: an exact mantissa and scale that print back as they came.
 
-use alloc::string::String;
+use alloc::vec::Vec;
 
 /// Powers of ten that a `u64` holds.
 pub(crate) const POW10: [u64; 20] = {
@@ -186,40 +186,46 @@ impl Decimal {
     }
 
     /// Appends the number; the sign is left out where `unsigned`, because a side follows.
-    pub(crate) fn write(self, out: &mut String, unsigned: bool) {
-        if !unsigned && self.sign & PLUS != 0 {
-            out.push('+');
-        } else if !unsigned && self.negative() {
-            out.push('-');
+    pub(crate) fn write(self, out: &mut Vec<u8>, unsigned: bool) {
+        if !unsigned && self.sign != 0 {
+            if self.sign & PLUS != 0 {
+                out.push(b'+');
+            } else if self.negative() {
+                out.push(b'-');
+            }
         }
+        // Point and 19 digits on each side of it at most.
         let mut digits = [b'0'; 40];
         let mut at = digits.len();
         let mut rest = self.mantissa;
-        let mut written = 0;
-        let wanted = usize::from(self.scale) + usize::from(self.whole.min(19));
-        while rest > 0 || written < wanted {
-            if written == usize::from(self.scale) && (self.scale > 0 || self.sign & POINT != 0) {
-                at -= 1;
-                digits[at] = b'.';
-            }
+        let scale = usize::from(self.scale.min(19));
+        let point = scale > 0 || self.sign & POINT != 0;
+        for _ in 0..scale {
             at -= 1;
             digits[at] = b'0' + (rest % 10) as u8;
             rest /= 10;
-            written += 1;
         }
-        if written == usize::from(self.scale) && self.scale > 0 {
+        if point {
             at -= 1;
             digits[at] = b'.';
         }
-        out.extend(digits[at..].iter().map(|&d| char::from(d)));
+        let end = at;
+        let whole = usize::from(self.whole.min(19));
+        while rest > 0 {
+            at -= 1;
+            digits[at] = b'0' + (rest % 10) as u8;
+            rest /= 10;
+        }
+        // What is left of the array is zeros.
+        out.extend_from_slice(&digits[at.min(end - whole)..]);
     }
 }
 
 impl core::fmt::Display for Decimal {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let mut text = String::new();
+        let mut text = Vec::new();
         self.write(&mut text, false);
-        f.write_str(&text)
+        f.write_str(core::str::from_utf8(&text).unwrap_or_default())
     }
 }
 

@@ -187,6 +187,7 @@ impl<'a> Sentence<'a> {
                 if at >= self.fields.len() {
                     break;
                 }
+                let before = faults.len();
                 let value = read(kind, &self.fields, at, faults);
                 item(Item {
                     field: at + 1,
@@ -197,6 +198,13 @@ impl<'a> Sentence<'a> {
                     value,
                 });
                 at += kind.width();
+                if at > self.fields.len() {
+                    // The line ends inside the member: its last field bears the fault.
+                    let last = self.fields.len() as u8;
+                    for fault in &mut faults[before..] {
+                        fault.field = fault.field.map(|n| n.min(last));
+                    }
+                }
             }
         };
         visit(definition.members, (0, false), faults);

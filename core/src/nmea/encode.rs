@@ -28,28 +28,31 @@ pub(crate) enum Cell<'a> {
 }
 
 /// Writes a sentence member by member, in the order of its table.
-pub(crate) struct Writer {
+pub(crate) struct Writer<'o> {
     definition: &'static Definition,
     members: core::slice::Iter<'static, Kind>,
-    out: String,
+    out: &'o mut Vec<u8>,
+    start: usize,
     fields: usize,
     wanted: usize,
 }
 
 const HEX: &[u8; 16] = b"0123456789ABCDEF";
 
-impl Writer {
-    pub(crate) fn new(definition: &'static Definition, talker: &str) -> Self {
-        let mut out = String::with_capacity(84);
-        out.push(char::from(definition.delimiter));
+impl<'o> Writer<'o> {
+    /// Begins a line at the end of `out`.
+    pub(crate) fn new(out: &'o mut Vec<u8>, definition: &'static Definition, talker: &str) -> Self {
+        let start = out.len();
+        out.push(definition.delimiter);
         if definition.first() == 0 {
-            out.push_str(talker);
+            out.extend_from_slice(talker.as_bytes());
         }
-        out.push_str(definition.formatter);
+        out.extend_from_slice(definition.formatter.as_bytes());
         Self {
             definition,
             members: definition.members.iter(),
             out,
+            start,
             fields: definition.first(),
             wanted: definition.sent(),
         }
@@ -77,7 +80,7 @@ impl Writer {
     }
 
     fn comma(&mut self) {
-        self.out.push(',');
+        self.out.push(b',');
         self.fields += 1;
     }
 
@@ -88,13 +91,13 @@ impl Writer {
             Kind::Lettered(format, letter) => {
                 self.number(*format, cell, false);
                 self.comma();
-                self.out.push(char::from(*letter));
+                self.out.push(*letter);
             }
             Kind::Sided(format, sides) => self.sided(*format, *sides, cell),
             Kind::Crossed(format, sides, letter) => {
                 self.sided(*format, *sides, cell);
                 self.comma();
-                self.out.push(char::from(*letter));
+                self.out.push(*letter);
             }
             Kind::Position(decimals) => self.position(*decimals, cell),
             Kind::Angle { degrees, decimals } => self.angle(*degrees, *decimals, cell),
@@ -107,14 +110,14 @@ impl Writer {
 
     fn number(&mut self, format: Format, cell: Cell<'_>, unsigned: bool) {
         if let Some(number) = decimal(format, cell) {
-            number.write(&mut self.out, unsigned);
+            number.write(self.out, unsigned);
         }
     }
 
     fn sided(&mut self, format: Format, sides: Sides, cell: Cell<'_>) {
         let number = decimal(format, cell);
         if let Some(number) = number {
-            number.write(&mut self.out, true);
+            number.write(self.out, true);
         }
         self.comma();
         if let Some(number) = number {
@@ -123,7 +126,25 @@ impl Writer {
             } else {
                 sides.positive
             };
-            self.out.push(char::from(side));
+            self.out.push(side);
+        }
+    }
+
+    /// A fixed letter as it stood: there, or left out.
+    fn letter(&mut self, raw: &[u8], letter: u8) {
+        self.comma();
+        if !raw.is_empty() {
+            self.out.push(letter);
+        }
+    }
+
+    /// A side as it stood.
+    fn side(&mut self, raw: &[u8], sides: Sides) {
+        self.comma();
+        if let [side] = raw
+            && (*side == sides.negative || *side == sides.positive)
+        {
+            self.out.push(*side);
         }
     }
 
@@ -137,9 +158,9 @@ impl Writer {
             _ => (None, None),
         };
         let both = lat.zip(lon);
-        self.half(both.map(|(lat, _)| lat), 'N', 'S');
+        self.half(both.map(|(lat, _)| lat), b'N', b'S');
         self.comma();
-        self.half(both.map(|(_, lon)| lon), 'E', 'W');
+        self.half(both.map(|(_, lon)| lon), b'E', b'W');
     }
 
     fn angle(&mut self, digits: u8, decimals: u8, cell: Cell<'_>) {
@@ -148,13 +169,17 @@ impl Writer {
             Cell::Float(value) => degrees_and_minutes(value, digits, decimals),
             _ => None,
         };
-        let (positive, negative) = if digits == 2 { ('N', 'S') } else { ('E', 'W') };
+        let (positive, negative) = if digits == 2 {
+            (b'N', b'S')
+        } else {
+            (b'E', b'W')
+        };
         self.half(angle, positive, negative);
     }
 
-    fn half(&mut self, angle: Option<Decimal>, positive: char, negative: char) {
+    fn half(&mut self, angle: Option<Decimal>, positive: u8, negative: u8) {
         if let Some(angle) = angle {
-            angle.write(&mut self.out, true);
+            angle.write(self.out, true);
         }
         self.comma();
         if let Some(angle) = angle {
@@ -172,23 +197,22 @@ impl Writer {
         let needed = (64 - number.leading_zeros()).div_ceil(4) as u8;
         for i in (0..digits.max(needed).max(1)).rev() {
             let digit = number.checked_shr(u32::from(i) * 4).unwrap_or(0) & 15;
-            self.out.push(char::from(HEX[digit as usize]));
+            self.out.push(HEX[digit as usize]);
         }
     }
 
     fn plain(&mut self, cell: Cell<'_>, limit: u8) {
         match cell {
             Cell::Letter(letter) | Cell::Value(Value::Code(letter)) => {
-                self.out.push(char::from(letter));
+                self.out.push(letter);
             }
             Cell::Value(Value::Time(number) | Value::Date(number) | Value::Number(number)) => {
-                number.write(&mut self.out, false);
+                number.write(self.out, false);
             }
-            // Bytes stay bytes: the line is Latin-1 in the end.
-            Cell::Value(Value::Text(text)) => self.out.extend(text.iter().map(|&b| char::from(b))),
+            Cell::Value(Value::Text(text)) => self.out.extend_from_slice(text),
             Cell::Str(text) => self.escaped(text, limit),
             Cell::Integer(number) => {
-                Decimal::new(false, u64::from(number), 0, 1).write(&mut self.out, false)
+                Decimal::new(false, u64::from(number), 0, 1).write(self.out, false)
             }
             Cell::Null | Cell::Float(_) | Cell::Position(_) | Cell::Value(_) => {}
         }
@@ -200,52 +224,61 @@ impl Writer {
             let byte = u8::try_from(u32::from(c)).unwrap_or(b'?');
             match byte {
                 b',' | b'*' | b'\\' | b'!' | b'^' | b'~' | b'$' | 0..=0x1f | 0x7f..=0xff => {
-                    self.out.push('^');
-                    self.out.push(char::from(HEX[usize::from(byte >> 4)]));
-                    self.out.push(char::from(HEX[usize::from(byte & 15)]));
+                    self.out.push(b'^');
+                    self.out.push(HEX[usize::from(byte >> 4)]);
+                    self.out.push(HEX[usize::from(byte & 15)]);
                 }
-                _ => self.out.push(char::from(byte)),
+                _ => self.out.push(byte),
             }
         }
     }
 
-    /// The line with its checksum, without CR LF.
-    pub(crate) fn finish(mut self) -> String {
-        while self.definition.group.is_none() && self.fields < self.wanted {
-            self.comma();
+    /// Ends the line with its checksum, without CR LF.
+    pub(crate) fn finish(self) {
+        if self.definition.group.is_none() {
+            let missing = self.wanted.saturating_sub(self.fields);
+            self.out.resize(self.out.len() + missing, b',');
+            for _ in self.wanted..self.fields {
+                if self.out.last() == Some(&b',') {
+                    self.out.pop();
+                }
+            }
         }
-        while self.definition.group.is_none()
-            && self.fields > self.wanted
-            && self.out.ends_with(',')
-        {
-            self.out.pop();
-            self.fields -= 1;
-        }
-        close(self.out)
+        close(self.out, self.start);
     }
 }
 
-/// Adds the checksum to a line that begins with `$` or `!`.
-fn close(mut out: String) -> String {
-    let sum = out
-        .chars()
-        .skip(1)
-        .fold(0u8, |sum, c| sum ^ u32::from(c) as u8);
-    out.push('*');
-    out.push(char::from(HEX[usize::from(sum >> 4)]));
-    out.push(char::from(HEX[usize::from(sum & 15)]));
-    out
+/// Adds the checksum to the line that begins with `$` or `!` at `start`.
+fn close(out: &mut Vec<u8>, start: usize) {
+    let sum = out[(start + 1).min(out.len())..]
+        .iter()
+        .fold(0, |sum, b| sum ^ b);
+    out.extend_from_slice(&[b'*', HEX[usize::from(sum >> 4)], HEX[usize::from(sum & 15)]]);
+}
+
+/// A line as text: ISO 8859-1.
+pub(crate) fn text(out: Vec<u8>) -> String {
+    if out.is_ascii() {
+        String::from_utf8(out).unwrap_or_default()
+    } else {
+        super::explain::latin1(&out)
+    }
 }
 
 /// `body`, the characters between `$` and `*`, as a line with its checksum, without CR LF.
 #[must_use]
 pub fn with_checksum(body: &str) -> String {
-    let mut out = String::with_capacity(body.len() + 4);
+    let mut out = Vec::with_capacity(body.len() + 4);
     if !body.starts_with(['$', '!']) {
-        out.push('$');
+        out.push(b'$');
     }
-    out.push_str(body);
-    close(out)
+    // A line is ISO 8859-1.
+    out.extend(
+        body.chars()
+            .map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')),
+    );
+    close(&mut out, 0);
+    super::explain::latin1(&out)
 }
 
 fn decimal(format: Format, cell: Cell<'_>) -> Option<Decimal> {
@@ -257,39 +290,90 @@ fn decimal(format: Format, cell: Cell<'_>) -> Option<Decimal> {
     }
 }
 
+/// The typed values of a sentence, ready to be written again.
+#[derive(Clone, Debug)]
+pub struct Values<'a> {
+    definition: &'static Definition,
+    address: &'a str,
+    talker: &'a str,
+    /// Fields that are written.
+    count: usize,
+    items: Vec<(&'static Kind, Value<'a>, [&'a [u8]; 2])>,
+}
+
+impl<'a> Values<'a> {
+    /// All values of a decoded sentence; none where its formatter is unknown.
+    #[must_use]
+    pub fn of(sentence: &Sentence<'a>) -> Option<Self> {
+        let mut items = Vec::with_capacity(16);
+        sentence.walk(
+            |item: Item<'a>| {
+                let raw = |offset: usize| sentence.fields.get(item.field + offset);
+                items.push((item.kind, item.value, [raw(1), raw(2)]));
+            },
+            &mut Vec::new(),
+        );
+        Some(Self {
+            definition: sentence.known?,
+            address: sentence.address,
+            talker: sentence.talker,
+            count: sentence.fields.len(),
+            items,
+        })
+    }
+
+    /// Appends the line with its checksum, without CR LF; faulty fields are empty.
+    pub fn write(&self, out: &mut Vec<u8>) {
+        let mut writer = Writer::new(out, self.definition, self.talker);
+        if self.definition.formatter.len() == 1 {
+            writer.out.truncate(writer.start + 1);
+            writer.out.extend_from_slice(self.address.as_bytes());
+        }
+        for (kind, value, raw) in &self.items {
+            let cell = if value.is_null() {
+                Cell::Null
+            } else {
+                Cell::Value(*value)
+            };
+            match kind {
+                // A letter that was left out stays out; a side without a magnitude stays.
+                Kind::Lettered(format, letter) => {
+                    writer.comma();
+                    writer.number(*format, cell, false);
+                    writer.letter(raw[0], *letter);
+                }
+                Kind::Sided(format, sides) => {
+                    writer.comma();
+                    writer.number(*format, cell, true);
+                    writer.side(raw[0], *sides);
+                }
+                Kind::Crossed(format, sides, letter) => {
+                    writer.comma();
+                    writer.number(*format, cell, true);
+                    writer.side(raw[0], *sides);
+                    writer.letter(raw[1], *letter);
+                }
+                kind => writer.member(kind, cell),
+            }
+        }
+        // A line that ends inside a member, or behind the last one.
+        for _ in self.count..writer.fields {
+            let comma = writer.out.iter().rposition(|&b| b == b',');
+            writer.out.truncate(comma.unwrap_or(writer.out.len()));
+        }
+        let missing = self.count.saturating_sub(writer.fields);
+        writer.out.resize(writer.out.len() + missing, b',');
+        let start = writer.start;
+        close(out, start);
+    }
+}
+
 /// Encodes the values of a decoded sentence again, with as many fields as it had.
 ///
 /// A canonical line comes back byte for byte; faulty fields come back empty. None where the formatter is unknown.
 #[must_use]
 pub fn encode(sentence: &Sentence<'_>) -> Option<String> {
-    let definition = sentence.known?;
-    let mut writer = Writer::new(definition, sentence.talker);
-    if definition.formatter.len() == 1 {
-        writer.out.truncate(1);
-        writer.out.push_str(sentence.address);
-    }
-    let mut faults = Vec::new();
-    sentence.walk(
-        |item: Item<'_>| {
-            let cell = if item.value.is_null() {
-                Cell::Null
-            } else {
-                Cell::Value(item.value)
-            };
-            writer.member(item.kind, cell);
-        },
-        &mut faults,
-    );
-    writer.wanted = sentence.fields.len();
-    let over = writer.fields.saturating_sub(writer.wanted);
-    for _ in 0..over {
-        if let Some(comma) = writer.out.rfind(',') {
-            writer.out.truncate(comma);
-            writer.fields -= 1;
-        }
-    }
-    while writer.fields < writer.wanted {
-        writer.comma();
-    }
-    Some(close(writer.out))
+    let mut out = Vec::with_capacity(96);
+    Values::of(sentence)?.write(&mut out);
+    Some(text(out))
 }

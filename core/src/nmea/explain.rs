@@ -1,5 +1,6 @@
 //! Explanation: the table walked beside the raw fields, each with name, value, unit, meaning and use.
 
+pub use super::document::document;
 pub use super::json::{json, json_line};
 
 use super::explain_text::{compass, side_meaning, unit_meaning};

@@ -151,11 +151,14 @@ macro_rules! view {
                 #[allow(unused_imports)]
                 use $crate::nmea::view::ToCell;
                 #[allow(unused_mut, unused_variables)]
-                let mut writer = $crate::nmea::encode::Writer::new(&$module::DEFINITION, talker);
+                let mut out = alloc::vec::Vec::with_capacity(96);
+                #[allow(unused_mut)]
+                let mut writer = $crate::nmea::encode::Writer::new(&mut out, &$module::DEFINITION, talker);
                 $( writer.put(self.$m.to_cell()); )*
                 $( for entry in &self.$entries { writer.entry(); $( writer.put(entry.$gm.to_cell()); )* } )?
                 $( writer.tail(); $( writer.put(self.$tm.to_cell()); )* )?
-                writer.finish()
+                writer.finish();
+                $crate::nmea::encode::text(out)
             }
         }
         $(

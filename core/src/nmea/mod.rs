@@ -5,10 +5,12 @@
 //!
 //! **Invariant:** decoding never fails, obeying is strict: only [`steering`] makes a command of a line.
 
+mod assemble;
 mod checksum;
 mod codes;
 mod decimal;
 mod decode;
+mod document;
 mod encode;
 pub mod explain;
 mod explain_text;
@@ -30,11 +32,12 @@ mod view;
 #[cfg(test)]
 mod tests;
 
+pub use assemble::{Assembler, Message};
 pub use checksum::ChecksumGate;
 pub use codes::*;
 pub use decimal::Decimal;
 pub use decode::{Checksum, Item, Sentence, decode};
-pub use encode::{encode, with_checksum};
+pub use encode::{Values, encode, with_checksum};
 pub use explain::explain;
 pub use fault::{Fault, FaultKind};
 pub use framer::{Frame, FrameKind, Framer};

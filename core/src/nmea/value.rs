@@ -222,11 +222,11 @@ mod tests {
     #[test]
     fn minutes_that_round_to_sixty_carry_into_the_degrees() {
         let text = |value| {
-            let mut out = String::new();
+            let mut out = alloc::vec::Vec::new();
             if let Some(angle) = degrees_and_minutes(value, 3, 4) {
                 angle.write(&mut out, true);
             }
-            out
+            String::from_utf8(out).unwrap()
         };
         assert_eq!(text(93.599_999_999_9), "09336.0000");
         assert_eq!(text(-93.999_999_999_9), "09400.0000");

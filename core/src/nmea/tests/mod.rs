@@ -1,4 +1,5 @@
 //! Tests over the whole dictionary.
 
 mod framing;
+mod random;
 mod views;

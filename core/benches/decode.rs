@@ -1,0 +1,86 @@
+//! Speed of decoding, encoding, explanation and framing, in millions of lines a second of processor time.
+//!
+//! `cargo bench -p wheelover-core --bench decode`; beside another crate: `tests/peers`.
+
+use std::hint::black_box;
+use wheelover_core::nmea::{self, Framer, Values};
+
+const LINES: &[&str] = &[
+    "EIHTC,V,,,T,R,,,0.35,,,,280.0,T,C",
+    "AGHTD,V,14.0,R,T,R,35.0,20.0,0.35,017.5,279.5,,280.0,T,A,A,,267.2",
+    "EIXTE,A,A,0.015,R,N,A",
+    "PNEY,001,A,A,0.015,R,N,A",
+    "PNEY,002,6235.234,N,12343.231,W,001",
+    "EIGLL,5345.345,N,12335.635,W,123423,A,A",
+    "EIVTG,234.5,T,,M,10.0,N,18.5,K,A",
+    "EIVHW,235.2,T,238.2,M,11.2,N,20.7,K",
+    "AGRSA,11.2,A,,V",
+    "AGROR,14.0,A,,V,B",
+    "HEHDT,216.8,T",
+];
+
+/// Processor time of this thread in seconds, so that a busy machine does not count.
+fn now() -> f64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let nanoseconds = text.split(' ').next().and_then(|n| n.parse::<u64>().ok());
+    nanoseconds.unwrap_or(0) as f64 / 1e9
+}
+
+fn bench(name: &str, lines: &[Vec<u8>], mut run: impl FnMut(&[u8])) {
+    let mut best = f64::INFINITY;
+    for _ in 0..7 {
+        let start = now();
+        for line in lines {
+            run(line);
+        }
+        best = best.min(now() - start);
+    }
+    println!(
+        "{name:<10} {:>8.2} M lines/s",
+        lines.len() as f64 / best / 1e6
+    );
+}
+
+fn main() {
+    let lines: Vec<Vec<u8>> = (0..200_000)
+        .map(|i| nmea::with_checksum(LINES[i % LINES.len()]).into_bytes())
+        .collect();
+    bench("decode", &lines, |line| {
+        let sentence = nmea::decode(line);
+        let mut sum = u64::from(sentence.checksum.is_right());
+        sentence.walk(
+            |item| sum ^= item.value.number().unwrap_or(0.0).to_bits(),
+            &mut Vec::new(),
+        );
+        black_box(sum);
+    });
+    bench("scan", &lines, |line| {
+        _ = black_box(nmea::decode(line)).checksum
+    });
+    bench("faults", &lines, |line| {
+        _ = black_box(nmea::decode(line).faults())
+    });
+    bench("explain", &lines, |line| {
+        _ = black_box(nmea::explain(&nmea::decode(line)))
+    });
+    bench("json", &lines[..20_000], |line| {
+        _ = black_box(nmea::json(1, None, line))
+    });
+    let mut out = Vec::new();
+    bench("encode", &lines, |line| {
+        out.clear();
+        if let Some(values) = Values::of(&nmea::decode(line)) {
+            values.write(&mut out);
+        }
+        black_box(&out);
+    });
+    bench("view", &lines, |line| {
+        let sentence = nmea::decode(line);
+        let _ = black_box(nmea::Htc::from_sentence(&sentence).map(|htc| htc.line("EI")));
+    });
+    let mut framer = Framer::new();
+    bench("framer", &lines, |line| {
+        framer.push(line, &mut |frame| _ = black_box(frame.length));
+        framer.push(b"\r\n", &mut |frame| _ = black_box(frame.length));
+    });
+}

@@ -1,0 +1,335 @@
+//! Joins what is spread over several sentences: ALF, ALC, RTE, GSV, VDM, VDO and TTD. One assembler a port.
+//!
+//! **Invariant:** at most 16 messages and 32 KiB are held; the oldest goes first, and none is kept over 10 s.
+
+use super::explain::latin1;
+use super::tables::{Alc, AlcEntry, Alf, Gsv, GsvSatellite, RouteMode, Rte, Ttd, Vdm, Vdo};
+use super::{Sentence, decode};
+use crate::time::Stamp;
+use alloc::string::String;
+use alloc::vec::Vec;
+use serde::{Deserialize, Serialize};
+
+/// A whole message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Message {
+    /// An alert (ALF) with its description from the second sentence.
+    Alert {
+        /// The first sentence.
+        alert: Alf,
+        /// The text of the second one.
+        description: Option<String>,
+    },
+    /// All entries of a cyclic alert list (ALC).
+    AlertList(Vec<AlcEntry>),
+    /// A route (RTE).
+    Route {
+        /// Its name.
+        route: Option<String>,
+        /// Whether it is the complete or the working route.
+        mode: Option<RouteMode>,
+        /// Its waypoints.
+        waypoints: Vec<String>,
+    },
+    /// All satellites in view of a talker and signal (GSV).
+    Satellites(Vec<GsvSatellite>),
+    /// A radio message (VDM, VDO).
+    Radio {
+        /// Sent by own ship (VDO).
+        own: bool,
+        /// Its six-bit armoured data.
+        payload: String,
+        /// Bits of the last character that do not count.
+        fill_bits: u32,
+    },
+    /// Tracked targets (TTD).
+    Targets {
+        /// Its six-bit armoured data.
+        payload: String,
+        /// Bits of the last character that do not count.
+        fill_bits: u32,
+    },
+}
+
+const MOST_MESSAGES: usize = 16;
+const MOST_BYTES: usize = 32 * 1024;
+const MOST_PARTS: u32 = 99;
+const OLDEST_MS: u64 = 10_000;
+
+/// Joins the sentences of one port.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Assembler {
+    open: Vec<Open>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Open {
+    key: String,
+    total: u32,
+    lines: Vec<String>,
+    began: Stamp,
+}
+
+struct Part {
+    key: String,
+    total: u32,
+    number: u32,
+}
+
+impl Assembler {
+    /// An assembler that has heard nothing.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Bytes that are held.
+    #[must_use]
+    pub fn held(&self) -> usize {
+        self.open
+            .iter()
+            .flat_map(|open| &open.lines)
+            .map(String::len)
+            .sum()
+    }
+
+    /// Takes a sentence; gives the message that it completes. A faulty or strange part ends its message.
+    pub fn push(&mut self, now: Stamp, sentence: &Sentence<'_>) -> Option<Message> {
+        let part = part(sentence)?;
+        self.open.retain(|open| now.since(open.began) <= OLDEST_MS);
+        let at = self.open.iter().position(|open| open.key == part.key);
+        let whole = !sentence.checksum.is_right() || !sentence.field_faults().is_empty();
+        if whole
+            || part.total == 0
+            || part.number == 0
+            || part.number > part.total
+            || part.total > MOST_PARTS
+        {
+            at.map(|at| self.open.remove(at));
+            return None;
+        }
+        let line = latin1(sentence.text);
+        if part.number == 1 {
+            at.map(|at| self.open.remove(at));
+            if part.total == 1 {
+                return join(&[line]);
+            }
+            let lines = alloc::vec![line];
+            self.open.push(Open {
+                key: part.key,
+                total: part.total,
+                lines,
+                began: now,
+            });
+            self.bound();
+            return None;
+        }
+        let open = self.open.get_mut(at?)?;
+        if open.total != part.total || open.lines.len() as u32 + 1 != part.number {
+            self.open.remove(at?);
+            return None;
+        }
+        open.lines.push(line);
+        if part.number == part.total {
+            let open = self.open.remove(at?);
+            return join(&open.lines);
+        }
+        self.bound();
+        None
+    }
+
+    fn bound(&mut self) {
+        while self.open.len() > MOST_MESSAGES || self.held() > MOST_BYTES {
+            self.open.remove(0);
+        }
+    }
+}
+
+/// Which message a sentence is a part of.
+fn part(sentence: &Sentence<'_>) -> Option<Part> {
+    // Fields that tell messages apart, besides talker and formatter.
+    let marks: &[usize] = match sentence.formatter {
+        "ALF" | "ALC" | "TTD" => &[3],
+        "RTE" => &[3, 4],
+        "GSV" => &[],
+        "VDM" | "VDO" => &[3, 4],
+        _ => return None,
+    };
+    let radix = if sentence.formatter == "TTD" { 16 } else { 10 };
+    let number = |n: usize| {
+        let text = core::str::from_utf8(sentence.fields.get(n)).ok()?;
+        u32::from_str_radix(text, radix).ok()
+    };
+    let mut key = String::from(sentence.address);
+    for &mark in marks {
+        key.push(',');
+        key.push_str(&latin1(sentence.fields.get(mark)));
+    }
+    if sentence.formatter == "GSV" && sentence.fields.len() % 4 == 0 {
+        key.push_str(&latin1(sentence.fields.get(sentence.fields.len())));
+    }
+    key.truncate(key.char_indices().nth(64).map_or(key.len(), |(at, _)| at));
+    Some(Part {
+        key,
+        total: number(1).unwrap_or(0),
+        number: number(2).unwrap_or(0),
+    })
+}
+
+fn join(lines: &[String]) -> Option<Message> {
+    let raw: Vec<Vec<u8>> = lines
+        .iter()
+        .map(|line| line.chars().map(|c| u32::from(c) as u8).collect())
+        .collect();
+    let sentences: Vec<Sentence<'_>> = raw.iter().map(|line| decode(line)).collect();
+    let first = sentences.first()?;
+    Some(match first.formatter {
+        "ALF" => Message::Alert {
+            alert: Alf::from_sentence(first)?,
+            description: sentences
+                .get(1)
+                .and_then(Alf::from_sentence)
+                .and_then(|alf| alf.text),
+        },
+        "ALC" => Message::AlertList(
+            sentences
+                .iter()
+                .filter_map(Alc::from_sentence)
+                .flat_map(|alc| alc.entries)
+                .collect(),
+        ),
+        "RTE" => {
+            let parts: Vec<Rte> = sentences.iter().filter_map(Rte::from_sentence).collect();
+            let first = parts.first()?;
+            Message::Route {
+                route: first.route.clone(),
+                mode: first.mode,
+                waypoints: parts
+                    .iter()
+                    .flat_map(|part| &part.waypoints)
+                    .filter_map(|waypoint| waypoint.waypoint.clone())
+                    .collect(),
+            }
+        }
+        "GSV" => Message::Satellites(
+            sentences
+                .iter()
+                .filter_map(Gsv::from_sentence)
+                .flat_map(|gsv| gsv.satellites)
+                .collect(),
+        ),
+        "TTD" => {
+            let parts: Vec<Ttd> = sentences.iter().filter_map(Ttd::from_sentence).collect();
+            Message::Targets {
+                payload: parts
+                    .iter()
+                    .filter_map(|part| part.payload.as_deref())
+                    .collect(),
+                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
+            }
+        }
+        "VDO" => {
+            let parts: Vec<Vdo> = sentences.iter().filter_map(Vdo::from_sentence).collect();
+            Message::Radio {
+                own: true,
+                payload: parts
+                    .iter()
+                    .filter_map(|part| part.payload.as_deref())
+                    .collect(),
+                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
+            }
+        }
+        _ => {
+            let parts: Vec<Vdm> = sentences.iter().filter_map(Vdm::from_sentence).collect();
+            Message::Radio {
+                own: false,
+                payload: parts
+                    .iter()
+                    .filter_map(|part| part.payload.as_deref())
+                    .collect(),
+                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nmea::with_checksum;
+
+    fn feed(assembler: &mut Assembler, at: u64, body: &str) -> Option<Message> {
+        assembler.push(Stamp(at), &decode(with_checksum(body).as_bytes()))
+    }
+
+    #[test]
+    fn two_lines_of_an_alert_are_one() {
+        let mut assembler = Assembler::new();
+        assert_eq!(
+            feed(
+                &mut assembler,
+                0,
+                "AGALF,2,1,5,,B,A,V,,10012,,1,0,TRACK FAIL"
+            ),
+            None
+        );
+        let whole = feed(
+            &mut assembler,
+            100,
+            "AGALF,2,2,5,,,,,,10012,,1,0,Switch to AUTO",
+        );
+        let Some(Message::Alert { alert, description }) = whole else {
+            panic!("an alert")
+        };
+        assert_eq!(alert.text.as_deref(), Some("TRACK FAIL"));
+        assert_eq!(description.as_deref(), Some("Switch to AUTO"));
+    }
+
+    #[test]
+    fn parts_out_of_order_late_or_strange_give_nothing() {
+        let mut assembler = Assembler::new();
+        let mut check = |steps: &[(u64, &str)], expect: bool| {
+            let mut last = None;
+            for (at, body) in steps {
+                last = feed(&mut assembler, *at, body);
+            }
+            assert_eq!(last.is_some(), expect, "{steps:?}");
+        };
+        check(
+            &[(0, "!AIVDM,2,1,3,A,55,0"), (1, "!AIVDM,2,2,3,A,66,2")],
+            true,
+        );
+        check(
+            &[(0, "!AIVDM,2,2,3,A,66,2"), (1, "!AIVDM,2,1,3,A,55,0")],
+            false,
+        );
+        check(
+            &[(0, "!AIVDM,2,1,4,A,55,0"), (1, "!AIVDM,2,2,4,B,66,2")],
+            false,
+        );
+        check(
+            &[(0, "!AIVDM,2,1,4,A,55,0"), (20_000, "!AIVDM,2,2,4,A,66,2")],
+            false,
+        );
+        check(&[(0, "!AIVDM,0,0,4,A,55,0")], false);
+        check(
+            &[(0, "!AIVDM,3,1,4,A,55,0"), (1, "!AIVDM,3,3,4,A,66,2")],
+            false,
+        );
+        check(
+            &[(0, "!AIVDM,2,1,4,A,5~5,0"), (1, "!AIVDM,2,2,4,A,66,2")],
+            false,
+        );
+    }
+
+    #[test]
+    fn groups_that_never_end_stay_bounded() {
+        let mut assembler = Assembler::new();
+        for i in 0..10_000u32 {
+            let name = alloc::format!("II{}RTE,99,1,c,ROUTE{i},{}", "", "WAYPOINT,".repeat(5));
+            feed(&mut assembler, u64::from(i), &name);
+        }
+        assert!(assembler.held() <= MOST_BYTES && assembler.open.len() <= MOST_MESSAGES);
+    }
+}
