@@ -166,7 +166,7 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
         key.push(',');
         key.push_str(&latin1(sentence.fields.get(mark)));
     }
-    if sentence.formatter == "GSV" && sentence.fields.len() % 4 == 0 {
+    if sentence.formatter == "GSV" && sentence.fields.len().is_multiple_of(4) {
         key.push_str(&latin1(sentence.fields.get(sentence.fields.len())));
     }
     key.truncate(key.char_indices().nth(64).map_or(key.len(), |(at, _)| at));

@@ -298,7 +298,7 @@ fn count_fault(definition: &Definition, fields: &FieldList<'_>, faults: &mut Vec
             let whole = match group.repeat {
                 Repeat::Counted(at) => super::Decimal::parse(fields.at(usize::from(at)))
                     .is_none_or(|count| count.value() as usize == entries),
-                Repeat::Open => (found.saturating_sub(fixed)) % group.width() == 0,
+                Repeat::Open => found.saturating_sub(fixed).is_multiple_of(group.width()),
                 Repeat::UpTo(_) => true,
             };
             (

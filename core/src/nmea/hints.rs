@@ -53,7 +53,7 @@ fn checksum(sentence: &Sentence<'_>, out: &mut Vec<String>) {
         out.push("one lost comma explains the checksum and the number of fields".into());
         return;
     }
-    if sentence.fields.len() > 0
+    if !sentence.fields.is_empty()
         && (difference == b'.' || difference == b'-' || difference.is_ascii_digit())
     {
         out.push(format!(
