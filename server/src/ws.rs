@@ -4,7 +4,7 @@
 //! nothing longer than 16 KiB is taken from one (FC11).
 
 use crate::control::{Control, Input};
-use crate::feed::{Feed, Follower, Frame, encode};
+use crate::feed::{Feed, Frame, encode};
 use crate::http::stopped;
 use crate::window::Window;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket, WebSocketUpgrade, close_code};
@@ -121,7 +121,9 @@ impl Client {
         hello.may_command = source.rights == Rights::All;
         self.next = hello.line + 1;
         self.say(encode(&Down::Hello(hello))).await?;
-        self.documents(&mut follower, true).await?;
+        self.document(&mut follower.route).await?;
+        self.document(&mut follower.settings).await?;
+        self.document(&mut follower.ports).await?;
         let (answer, mut answers) = mpsc::channel::<Answer>(ANSWERS);
         let mut ping = tokio::time::interval(PING);
         let mut stop = source.stop.clone();
@@ -144,9 +146,9 @@ impl Client {
                 Ok(()) = lines(&mut follower.next, lines_from), if self.wants_lines => {
                     self.lines(source, u64::MAX).await?;
                 }
-                Ok(()) = follower.route.changed() => self.documents(&mut follower, false).await?,
-                Ok(()) = follower.settings.changed() => self.documents(&mut follower, false).await?,
-                Ok(()) = follower.ports.changed() => self.documents(&mut follower, false).await?,
+                Ok(()) = follower.route.changed() => self.document(&mut follower.route).await?,
+                Ok(()) = follower.settings.changed() => self.document(&mut follower.settings).await?,
+                Ok(()) = follower.ports.changed() => self.document(&mut follower.ports).await?,
                 Some(answer) = answers.recv() => self.say(encode(&Down::Answer(answer))).await?,
                 _ = ping.tick() => {
                     if self.heard.elapsed() > SILENCE {
@@ -159,20 +161,13 @@ impl Client {
         }
     }
 
-    /// Documents that the client does not have yet, or all of them.
-    async fn documents(&mut self, follower: &mut Follower, all: bool) -> Result<(), End> {
-        for document in [
-            &mut follower.route,
-            &mut follower.settings,
-            &mut follower.ports,
-        ] {
-            let fresh = document.has_changed().unwrap_or(false);
-            let text = document.borrow_and_update().clone();
-            if (fresh || all) && !text.is_empty() {
-                self.say(Some(text)).await?;
-            }
+    /// A document as it is now; nothing while there is none.
+    async fn document(&mut self, document: &mut watch::Receiver<Utf8Bytes>) -> Result<(), End> {
+        let text = document.borrow_and_update().clone();
+        if text.is_empty() {
+            return Ok(());
         }
-        Ok(())
+        self.say(Some(text)).await
     }
 
     /// Lines from where the client stands, as far as batches that begin by `last`.

@@ -19,6 +19,8 @@ const BACK_OFF: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs
 const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 /// Seconds of line that the system may hold back before it counts as blocked.
 const HELD_BACK: f64 = 0.3;
+/// What is said of a line that brings more than can be taken.
+const FLOODED: &str = "too much heard at once: some was lost";
 /// What is said of a line that does not take its output.
 const BLOCKED: &str = "output blocked: the other side does not read";
 
@@ -124,9 +126,7 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, control: &Control
             moved = std::future::poll_fn(|cx| wire.poll(cx, &mut buffer, &line)) => match moved {
                 Ok(Moved::Read(count)) => {
                     let bytes = buffer[..count].to_vec();
-                    if !control.offer(Input::Bytes { port: link.index, bytes }) {
-                        link.set_trouble("too much heard at once: some was lost");
-                    }
+                    hear(bytes, link, control);
                 }
                 Ok(Moved::Written(count)) => {
                     line.drain(..count);
@@ -158,6 +158,16 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, control: &Control
                 pace.deadline = Instant::now() + WRITE_TIMEOUT;
             },
         }
+    }
+}
+
+/// Bytes beyond what the control thread takes are lost, and that is said until some are taken again.
+fn hear(bytes: Vec<u8>, link: &Link, control: &Control) {
+    let port = link.index;
+    if !control.offer(Input::Bytes { port, bytes }) {
+        link.set_trouble(FLOODED);
+    } else if link.trouble() == FLOODED {
+        link.set_trouble("");
     }
 }
 
