@@ -36,7 +36,9 @@ pub(crate) fn Plan() -> impl IntoView {
             )
         });
         if size.0 < 1.0 || size.1 < 1.0 {
-            return None; // Not laid out, or on its way out.
+            // Not laid out yet, or on its way out: the next readings try again.
+            deck.readings.track();
+            return None;
         }
         deck.readings.with(|readings| {
             if let Some(position) = readings.position.value {
