@@ -6,7 +6,7 @@
 use crate::files::{Compression, base64, fingerprint, text, write};
 use crate::shell::{Failure, Outcome, cargo, root, run, step, target};
 use crate::tools::{WASM, wasm_target};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use wasm_bindgen_cli_support::Bindgen;
 
 /// What a browser may load before the page works, brotli, bytes.
@@ -144,7 +144,7 @@ fn lay(page: &Page, compression: Compression) -> Result<u64, Failure> {
     first_load.iter().map(|path| length(path)).sum()
 }
 
-fn length(path: &PathBuf) -> Result<u64, Failure> {
+fn length(path: &Path) -> Result<u64, Failure> {
     path.metadata()
         .map(|facts| facts.len())
         .map_err(|error| Failure::file(path, &error))
