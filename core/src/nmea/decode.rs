@@ -4,7 +4,7 @@
 
 use super::fault::{Fault, FaultKind};
 use super::read::read;
-use super::scan::{FieldList, scan};
+use super::scan::{FieldList, LONGEST_BODY, scan};
 use super::table::{Definition, Kind, Repeat};
 use super::tables;
 use super::tag::TagBlock;
@@ -116,8 +116,13 @@ pub fn decode(line: &[u8]) -> Sentence<'_> {
             None => (inside, None),
         },
     };
-    let body = body.get(..usize::from(u16::MAX)).unwrap_or(body);
-    let (fields, computed) = scan(body);
+    let (fields, computed) = match body.split_at_checked(LONGEST_BODY) {
+        None => scan(body),
+        Some((start, rest)) => {
+            let (fields, sum) = scan(start);
+            (fields, rest.iter().fold(sum, |sum, b| sum ^ b))
+        }
+    };
     let checksum = match given {
         Some(Some(given)) if given == computed => Checksum::Right(computed),
         Some(given) => Checksum::Wrong { given, computed },

@@ -131,20 +131,18 @@ impl<'o> Writer<'o> {
     }
 
     /// A fixed letter as it stood: there, or left out.
-    fn letter(&mut self, raw: &[u8], letter: u8) {
+    fn letter(&mut self, raw: u8, letter: u8) {
         self.comma();
-        if !raw.is_empty() {
+        if raw != 0 {
             self.out.push(letter);
         }
     }
 
     /// A side as it stood.
-    fn side(&mut self, raw: &[u8], sides: Sides) {
+    fn side(&mut self, raw: u8, sides: Sides) {
         self.comma();
-        if let [side] = raw
-            && (*side == sides.negative || *side == sides.positive)
-        {
-            self.out.push(*side);
+        if raw == sides.negative || raw == sides.positive {
+            self.out.push(raw);
         }
     }
 
@@ -298,7 +296,7 @@ pub struct Values<'a> {
     talker: &'a str,
     /// Fields that are written.
     count: usize,
-    items: Vec<(&'static Kind, Value<'a>, [&'a [u8]; 2])>,
+    items: Vec<(&'static Kind, Value<'a>, [u8; 2])>,
 }
 
 impl<'a> Values<'a> {
@@ -308,7 +306,12 @@ impl<'a> Values<'a> {
         let mut items = Vec::with_capacity(16);
         sentence.walk(
             |item: Item<'a>| {
-                let raw = |offset: usize| sentence.fields.get(item.field + offset);
+                // Letters behind a magnitude; 0 where there is none.
+                let raw = |offset: usize| match sentence.fields.get(item.field + offset) {
+                    [letter] => *letter,
+                    [] => 0,
+                    _ => b'?',
+                };
                 items.push((item.kind, item.value, [raw(1), raw(2)]));
             },
             &mut Vec::new(),

@@ -15,9 +15,9 @@ pub(crate) fn read<'a>(
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
     match kind {
-        Kind::Number(format) => number(fields.at(at), *format, at, faults),
+        Kind::Number(format) => number(fields, *format, at, faults),
         Kind::Lettered(format, letter) => {
-            let value = number(fields.at(at), *format, at, faults);
+            let value = number(fields, *format, at, faults);
             check_letter(fields.at(at + 1), *letter, at + 1, faults);
             value
         }
@@ -32,9 +32,9 @@ pub(crate) fn read<'a>(
             [letter] if letters.contains(letter) => Value::Code(*letter),
             _ => fault(faults, at, FaultKind::UnknownCode),
         },
-        Kind::Integer(format) => integer(fields.at(at), *format, at, faults),
+        Kind::Integer(format) => integer(fields, *format, at, faults),
         Kind::Position(_) => position(fields, at, faults),
-        Kind::Time => time(fields.at(at), at, faults),
+        Kind::Time => time(fields, at, faults),
         Kind::Date => date(fields.at(at), at, faults),
         Kind::Text(limit) => text(fields.at(at), *limit, at, faults),
         Kind::Angle { degrees, .. } => single_angle(fields, *degrees, at, faults),
@@ -55,11 +55,16 @@ fn fault<'a>(faults: &mut Vec<Fault>, at: usize, kind: FaultKind) -> Value<'a> {
 }
 
 #[inline]
-fn number<'a>(field: &[u8], format: Format, at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    if field.is_empty() {
+fn number<'a>(
+    fields: &FieldList<'a>,
+    format: Format,
+    at: usize,
+    faults: &mut Vec<Fault>,
+) -> Value<'a> {
+    if fields.at(at).is_empty() {
         return Value::Null;
     }
-    match Decimal::parse(field) {
+    match fields.number(at) {
         Some(number) if number.within(format.low, format.high) => Value::Number(number),
         Some(_) => out_of_range(faults, at, format),
         None => fault(faults, at, FaultKind::NotANumber),
@@ -78,8 +83,13 @@ fn out_of_range<'a>(faults: &mut Vec<Fault>, at: usize, format: Format) -> Value
     )
 }
 
-fn integer<'a>(field: &[u8], format: Format, at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    match number(field, format, at, faults) {
+fn integer<'a>(
+    fields: &FieldList<'a>,
+    format: Format,
+    at: usize,
+    faults: &mut Vec<Fault>,
+) -> Value<'a> {
+    match number(fields, format, at, faults) {
         Value::Number(number) if number.scale() != 0 => fault(faults, at, FaultKind::NotAnInteger),
         value => value,
     }
@@ -114,7 +124,7 @@ fn sided<'a>(
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
     let letter = fields.at(at + 1);
-    match number(fields.at(at), format, at, faults) {
+    match number(fields, format, at, faults) {
         Value::Number(number) => match side(letter, sides, at + 1, faults) {
             Some(_) if number.signed() => out_of_range(faults, at, format),
             Some(negative) => Value::Number(number.with_negative(negative)),
@@ -130,8 +140,14 @@ fn sided<'a>(
 }
 
 /// Degrees and minutes, unsigned, with the digits of the format.
-fn angle(field: &[u8], degrees: u8, at: usize, faults: &mut Vec<Fault>) -> Option<Decimal> {
-    let Some(angle) = Decimal::parse(field) else {
+fn angle(
+    fields: &FieldList<'_>,
+    degrees: u8,
+    at: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<Decimal> {
+    let field = fields.at(at);
+    let Some(angle) = fields.number(at) else {
         fault(faults, at, FaultKind::NotANumber);
         return None;
     };
@@ -149,8 +165,12 @@ fn angle(field: &[u8], degrees: u8, at: usize, faults: &mut Vec<Fault>) -> Optio
         return None;
     }
     let minute = POW10[usize::from(angle.scale())];
-    let minutes = angle.mantissa() % (100 * minute);
-    if minutes >= 60 * minute {
+    // The tens of the minutes stand behind the degrees.
+    if field
+        .get(usize::from(degrees))
+        .is_some_and(|&tens| tens >= b'6')
+    {
+        let minutes = angle.mantissa() % (100 * minute);
         minutes_too_large(faults, at, Decimal::new(false, minutes, angle.scale(), 2));
         return None;
     }
@@ -192,7 +212,7 @@ fn half(
         fault(faults, at, FaultKind::MissingPart);
         None
     } else {
-        angle(fields.at(at), degrees, at, faults)
+        angle(fields, degrees, at, faults)
     };
     let sides = if degrees == 2 { NS } else { EW };
     let negative = side(fields.at(at + 1), sides, at + 1, faults);
@@ -221,16 +241,18 @@ fn single_angle<'a>(
     half(fields, degrees, at, faults).map_or(Value::Invalid, Value::Angle)
 }
 
-fn time<'a>(field: &[u8], at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+fn time<'a>(fields: &FieldList<'a>, at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+    let field = fields.at(at);
     if field.is_empty() {
         return Value::Null;
     }
-    if let Some(time) = Decimal::parse(field)
+    if let Some(time) = fields.number(at)
         && time.whole() == 6
         && !time.signed()
     {
-        let clock = time.mantissa() / POW10[usize::from(time.scale())];
-        if clock / 10_000 < 24 && clock / 100 % 100 < 60 && clock % 100 < 61 {
+        // Digits all, as the number was read.
+        let two = |i: usize| (field[i] - b'0') * 10 + (field[i + 1] - b'0');
+        if two(0) < 24 && two(2) < 60 && two(4) < 61 {
             return Value::Time(time);
         }
     }

@@ -1,5 +1,7 @@
 //! One pass over a line: where the fields are, and the checksum.
 
+/// Longest body whose fields are told apart; offsets fit a byte.
+pub(crate) const LONGEST_BODY: usize = 255;
 /// Most fields that are told apart; a line of 82 characters cannot have more.
 pub(crate) const MAX_FIELDS: usize = 100;
 
@@ -8,7 +10,7 @@ pub(crate) const MAX_FIELDS: usize = 100;
 pub struct FieldList<'a> {
     body: &'a [u8],
     /// Offset of the separator before each field; one more for the end.
-    separators: [u16; MAX_FIELDS + 1],
+    separators: [u8; MAX_FIELDS + 1],
     count: u8,
 }
 
@@ -39,6 +41,13 @@ impl<'a> FieldList<'a> {
             &[]
         }
     }
+    /// The number in the field with index `at`; none where it is not one.
+    #[inline]
+    pub(crate) fn number(&self, at: usize) -> Option<super::Decimal> {
+        let start = usize::from(*self.separators.get(at)?) + 1;
+        let end = usize::from(*self.separators.get(at + 1)?);
+        super::Decimal::parse_in(self.body, start, end)
+    }
     /// All fields in order.
     pub fn iter(&self) -> impl Iterator<Item = &'a [u8]> + '_ {
         (0..self.len()).map(|at| self.at(at))
@@ -65,7 +74,7 @@ const LOW7: u64 = u64::from_ne_bytes([0x7f; 8]);
 /// Eight bytes at a time; bytes after [`MAX_FIELDS`] separators belong to the last field.
 #[inline]
 pub(crate) fn scan(body: &[u8]) -> (FieldList<'_>, u8) {
-    let mut separators = [0u16; MAX_FIELDS + 1];
+    let mut separators = [0u8; MAX_FIELDS + 1];
     let mut count = 0usize;
     let mut xor = 0u64;
     let mut take = |word: u64, base: usize, count: &mut usize| {
@@ -73,7 +82,7 @@ pub(crate) fn scan(body: &[u8]) -> (FieldList<'_>, u8) {
         let mut found = !(((y & LOW7) + LOW7) | y | LOW7);
         while found != 0 {
             if *count < MAX_FIELDS {
-                separators[*count] = (base + (found.trailing_zeros() >> 3) as usize) as u16;
+                separators[*count] = (base + (found.trailing_zeros() >> 3) as usize) as u8;
                 *count += 1;
             }
             found &= found - 1;
@@ -93,7 +102,7 @@ pub(crate) fn scan(body: &[u8]) -> (FieldList<'_>, u8) {
         xor ^= word;
         take(word, words.len() * 8, &mut count);
     }
-    separators[count] = body.len() as u16;
+    separators[count] = body.len() as u8;
     xor ^= xor >> 32;
     xor ^= xor >> 16;
     xor ^= xor >> 8;
@@ -125,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_line_of_commas_is_bounded() {
-        let (fields, _) = scan(&[b','; 256]);
+        let (fields, _) = scan(&[b','; LONGEST_BODY]);
         assert_eq!(fields.len(), MAX_FIELDS);
     }
 }
