@@ -82,7 +82,7 @@ fn sail() -> Sailed {
                 from: first.0,
                 lines,
             });
-            let text = serde_json::to_string(&down).unwrap();
+            let text = serde_json::to_string(&down).expect("every frame has a text");
             let Ok(Down::Lines(lines)) = serde_json::from_str(&text) else {
                 panic!("lines come back as lines");
             };
@@ -116,7 +116,9 @@ fn a_voyage_with_faults_replays_and_the_page_agrees_in_every_world() {
         sailed.agreed
     );
     let replayed = recording::replay(sailed.recording.iter().map(String::as_str));
-    assert!(replayed.is_ok(), "{}", replayed.unwrap_err());
+    if let Err(difference) = replayed {
+        panic!("{difference}");
+    }
     // `cargo xtask test` reads this natively and gives it to the build for wasm.
     let digest = digest(&sailed.recording);
     println!("VOYAGE {digest}");
