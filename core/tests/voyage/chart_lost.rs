@@ -9,6 +9,9 @@ use wheelover_core::station::Profile;
 use wheelover_core::stream::{ChartRequest, Do, ModeName, ModeRequest};
 use wheelover_core::time::Stamp;
 
+/// What becomes of a sentence.
+type Damage = fn(&str) -> Option<String>;
+
 /// Seconds from the last good sentence to the caution, and to the alarm.
 struct Times {
     caution: f64,
@@ -16,7 +19,7 @@ struct Times {
 }
 
 /// Damages that formatter from now on; gives the times of caution and alarm.
-fn lose(rig: &mut Rig, formatter: &'static str, damage: fn(&str) -> Option<String>) -> Times {
+fn lose(rig: &mut Rig, formatter: &'static str, damage: Damage) -> Times {
     let last = Rc::new(Cell::new(rig.now));
     let seen = last.clone();
     let begin = rig.now + 2_500;
@@ -121,7 +124,7 @@ fn silent_on_the_forwarding_distance_turns_where_the_arc_begins() {
     assert!((rig.set_heading() - 305.0).abs() < 0.05);
     let at_failure = rig.heading().deg();
     let start = rig.route.turns()[0].start();
-    let leg = rig.route.leg(0).clone();
+    let leg = *rig.route.leg(0);
     let to_go = |rig: &Rig| leg.along(start).m() - leg.along(rig.world.truth().position).m();
     assert!(to_go(&rig) > 60.0, "{}", to_go(&rig));
     rig.until("the beginning of the arc", 60.0, |rig| to_go(rig) < 15.0);
@@ -205,7 +208,7 @@ fn each_sentence_alone_with_a_wrong_checksum_is_missing() {
 // FA4: a broken format with a right checksum.
 #[test]
 fn each_sentence_alone_malformed_is_missing() {
-    let malformed: [(&'static str, fn(&str) -> Option<String>); 4] = [
+    let malformed: [(&'static str, Damage); 4] = [
         ("HTC", |line| Some(edited(line, &[(12, "400.0")]))),
         ("XTE", |line| Some(edited(line, &[(3, "0.0x1")]))),
         ("PNEY,001", |line| Some(edited(line, &[(5, "Q")]))),
@@ -228,7 +231,7 @@ fn each_sentence_alone_malformed_is_missing() {
 // FA5: the status or the mode says not valid; the value would steer the ship away.
 #[test]
 fn a_distance_that_says_it_is_not_valid_is_never_used() {
-    let lies: [(&'static str, &'static str, fn(&str) -> Option<String>); 6] = [
+    let lies: [(&'static str, &'static str, Damage); 6] = [
         ("XTE", "V", |l| {
             Some(edited(l, &[(1, "V"), (3, "0.400"), (4, "L")]))
         }),

@@ -91,8 +91,10 @@ impl Rig {
             baud: 38_400,
             output: true,
         });
-        let mut settings = Settings::default();
-        settings.rudder_slew = SLEW;
+        let settings = Settings {
+            rudder_slew: SLEW,
+            ..Settings::default()
+        };
         let autopilot = Autopilot::new(
             ports.to_vec(),
             settings,
@@ -164,7 +166,7 @@ impl Rig {
     /// Says a line to the autopilot now; the checksum is added.
     pub(crate) fn say(&mut self, profile: Profile, body: &str) {
         let bytes = format!("{}\r\n", with_checksum(body)).into_bytes();
-        self.to_autopilot(profile, &bytes);
+        self.tell_autopilot(profile, &bytes);
         self.carry();
     }
 
@@ -232,7 +234,7 @@ impl Rig {
     fn carry(&mut self) {
         while let Some((profile, from_autopilot, bytes)) = self.queue.pop_front() {
             if from_autopilot {
-                self.from_autopilot(profile, &bytes);
+                self.heard_from_autopilot(profile, &bytes);
                 continue;
             }
             let index = match profile {
@@ -242,12 +244,12 @@ impl Rig {
                 _ => None,
             };
             if let Some(port) = index {
-                self.to_chart(port, &bytes);
+                self.tell_chart(port, &bytes);
             }
             if profile == Profile::Ecdis {
                 self.note(&bytes);
             }
-            self.to_autopilot(profile, &bytes);
+            self.tell_autopilot(profile, &bytes);
         }
     }
 
@@ -259,14 +261,14 @@ impl Rig {
         }
     }
 
-    fn to_chart(&mut self, port: usize, bytes: &[u8]) {
+    fn tell_chart(&mut self, port: usize, bytes: &[u8]) {
         let mut out = Vec::new();
         self.chart
             .handle(self.now, Input::Bytes { port, bytes }, &mut out);
         self.sort(1, &mut out);
     }
 
-    fn to_autopilot(&mut self, profile: Profile, bytes: &[u8]) {
+    fn tell_autopilot(&mut self, profile: Profile, bytes: &[u8]) {
         let port = AUTOPILOT_PORTS
             .iter()
             .position(|known| *known == profile)
@@ -284,7 +286,7 @@ impl Rig {
         }
     }
 
-    fn from_autopilot(&mut self, profile: Profile, bytes: &[u8]) {
+    fn heard_from_autopilot(&mut self, profile: Profile, bytes: &[u8]) {
         match profile {
             Profile::Gear => {
                 let port = self.world.port(Profile::Gear).unwrap();
@@ -299,7 +301,7 @@ impl Rig {
                         self.htd.push((self.now, htd));
                     }
                 }
-                self.to_chart(0, bytes);
+                self.tell_chart(0, bytes);
             }
             _ => {}
         }

@@ -1,0 +1,42 @@
+//! The real binary on serial lines: dialogues, pulled plugs, hostile input, two programs joined by null modems.
+#![allow(clippy::unwrap_used)]
+
+mod dialogue;
+mod hostile;
+mod two_programs;
+
+use std::path::Path;
+use wheelover_core::stream::{Answer, Do};
+use wheelover_tests::page::Page;
+use wheelover_tests::program::Program;
+
+/// A configuration of the autopilot with these ports in a folder; gives the file's name.
+fn autopilot(folder: &Path, ports: &[&str], allow_output: bool) -> String {
+    let mut text = format!(
+        "roles = [\"autopilot\"]\nallow_output = {allow_output}\n[autopilot]\nrudder_slew = 5.0\n"
+    );
+    for port in ports {
+        text += &format!(
+            "[[port]]\nname = \"{port}\"\nkind = \"serial\"\npath = \"{}\"\nbaud = 38400\n\
+             profile = \"{port}\"\noutput = {}\n",
+            folder.join(port).display(),
+            matches!(*port, "ecdis" | "gear")
+        );
+    }
+    let file = folder.join("wheelover.toml");
+    std::fs::write(&file, text).unwrap();
+    file.display().to_string()
+}
+
+/// Commands once on a connection of its own.
+async fn command(program: &Program, action: Do) -> Answer {
+    let mut page = Page::open(program.address).await;
+    let answer = page.command(action).await;
+    page.leave().await;
+    answer
+}
+
+/// Fields of a sentence without its checksum, the address first.
+fn fields(line: &str) -> Vec<&str> {
+    line.split('*').next().unwrap().split(',').collect()
+}

@@ -1,0 +1,6 @@
+//! The stream and the doors: what a WebSocket client sees of the embedded voyage, and who is let in.
+#![allow(clippy::unwrap_used)]
+
+mod doors;
+mod recording;
+mod stream;
