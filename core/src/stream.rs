@@ -314,3 +314,6 @@ pub struct Answer {
     /// What followed, or the reason for refusal.
     pub text: String,
 }
+
+#[cfg(test)]
+mod tests;

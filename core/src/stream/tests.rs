@@ -1,0 +1,200 @@
+//! Each message as text: if one changes, `PROTOCOL` must be raised with `golden.txt`.
+
+use super::*;
+use crate::picture::Picture;
+use crate::station::{ChecksumPolicy, Profile};
+use alloc::format;
+use alloc::string::ToString;
+use alloc::vec;
+
+fn messages() -> Vec<String> {
+    let place = Position {
+        lat: 59.5,
+        lon: 24.25,
+    };
+    let port = PortSetup {
+        name: "ecdis".into(),
+        profile: Profile::Ecdis,
+        checksum: ChecksumPolicy::Required,
+        baud: 4800,
+        output: true,
+    };
+    let down = [
+        Down::Hello(Hello {
+            protocol: PROTOCOL,
+            build: "0.1.0".into(),
+            dictionary: 140,
+            picture: Picture::new(vec![port.clone()]),
+            line: 7,
+            at: 1_000,
+            rate: 1.0,
+            ports: vec![port],
+            station: "autopilot".into(),
+            simulated: true,
+            may_command: false,
+        }),
+        Down::Snapshot(Snapshot {
+            frame: 1,
+            at: 2_000,
+            rate: 10.0,
+            line: 9,
+            digest: "cbf29ce484222325".into(),
+            own: Some(Own {
+                mode: ModeName::AutonavTi,
+                why: "track controlled by the chart system".into(),
+                pending: Some(Pending {
+                    request: ModeName::AutonavTi,
+                    until: 21_000,
+                    waits_for: "no position".into(),
+                }),
+                set_heading: None,
+                hts: Some(245.5),
+                set_rate: 28.0,
+                set_radius: 0.5,
+                by_radius: true,
+                rudder_limit: 35.0,
+                rudder_order: Some(-3.5),
+                cross_track: Some(12.5),
+                sources: vec![("heading".into(), "gyro1/HE/HDT".into())],
+                terms: [1.0, 0.5, -0.25, 4.0],
+                limited: false,
+                output: true,
+            }),
+            chart: Some(ChartOwn {
+                situation: 4,
+                control: "track".into(),
+                leg: 2,
+                wheel_over_s: Some(-40.0),
+                why: String::new(),
+            }),
+            voyage: Some(VoyageOwn {
+                officer: true,
+                round: 1,
+                speed: 10.0,
+                faults: vec![("ecdis".into(), FaultKind::Silent)],
+                current: [100.0, 1.0],
+            }),
+            alerts: vec![AlertView {
+                number: 101,
+                priority: crate::alerts::Priority::Alarm,
+                state: crate::alerts::State::Unacknowledged,
+                category: crate::alerts::Category::B,
+                title: "TRACK FAIL".into(),
+                text: "HTC missing".into(),
+                at: 1_500,
+            }],
+        }),
+        Down::Route(RouteDocument {
+            revision: 1,
+            name: "Gulf of Finland".into(),
+            waypoints: vec![WaypointView {
+                id: "001".into(),
+                position: place,
+                radius_nm: Some(0.5),
+                xtd_m: [185.2, 185.2],
+                course: Some(245.0),
+            }],
+            turns: vec![TurnView {
+                waypoint: 1,
+                wheel_over: place,
+                start: place,
+                end: place,
+                centre: place,
+                turn: -30.0,
+                forwarding_m: 216.0,
+            }],
+        }),
+        Down::Settings(SettingsDocument {
+            revision: 1,
+            values: vec![("rudder_limit".into(), 20.0)],
+        }),
+        Down::Ports(PortsDocument {
+            revision: 1,
+            ports: vec![PortView::default()],
+        }),
+        Down::Lines(Lines {
+            from: 8,
+            lines: vec![Line(8, 1_900, 0, Direction::In, "$EIHTC,V\u{e4}".into())],
+        }),
+        Down::Gap { lost: 12 },
+        Down::Answer(Answer {
+            id: 3,
+            ok: false,
+            text: "no position".into(),
+        }),
+    ];
+    let command = |action| Up::Command { id: 7, action };
+    let up = [
+        Up::Ack { frame: 1 },
+        Up::Resume { seq: 8 },
+        Up::Subscribe {
+            rate: 10.0,
+            lines: true,
+        },
+        command(Do::Mode(ModeRequest::Standby)),
+        command(Do::SetHeading(245.0)),
+        command(Do::AdjustHeading(10.0)),
+        command(Do::Acknowledge(101)),
+        command(Do::Silence(true)),
+        command(Do::Speed(10.0)),
+        command(Do::Officer(false)),
+        command(Do::Fault {
+            cable: "ecdis".into(),
+            kind: FaultKind::Silent,
+            on: true,
+        }),
+        command(Do::Current {
+            set: 100.0,
+            drift: 1.0,
+        }),
+        command(Do::Chart(ChartRequest::Track)),
+        command(Do::Setting {
+            key: "rudder_limit".into(),
+            value: 15.0,
+        }),
+    ];
+    let mut texts = vec![format!("protocol {PROTOCOL}")];
+    texts.extend(
+        down.iter()
+            .map(|message| serde_json::to_string(message).unwrap()),
+    );
+    texts.extend(
+        up.iter()
+            .map(|message| serde_json::to_string(message).unwrap()),
+    );
+    texts
+}
+
+#[test]
+fn no_message_changes_its_text_without_a_new_protocol() {
+    let golden = include_str!("golden.txt")
+        .lines()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>();
+    let now = messages();
+    if golden.first() == now.first() {
+        assert_eq!(
+            now, golden,
+            "a message has changed: raise PROTOCOL and renew golden.txt"
+        );
+    } else {
+        panic!("PROTOCOL is new: renew golden.txt with\n{}", now.join("\n"));
+    }
+}
+
+#[test]
+fn every_message_comes_back_as_it_was() {
+    for text in &messages()[1..9] {
+        let message: Down = serde_json::from_str(text).unwrap();
+        assert_eq!(&serde_json::to_string(&message).unwrap(), text);
+    }
+    for text in &messages()[9..] {
+        let message: Up = serde_json::from_str(text).unwrap();
+        assert_eq!(&serde_json::to_string(&message).unwrap(), text);
+    }
+}
+
+#[test]
+fn a_snapshot_fits_into_two_kilobytes() {
+    assert!(messages()[2].len() <= 2_048, "{}", messages()[2].len());
+}
