@@ -1,4 +1,5 @@
 //! One voyage with faults, run natively and in wasm: it replays, the page's fold agrees, and both give the same bytes.
+#![allow(clippy::unwrap_used)]
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

@@ -22,6 +22,7 @@ use crate::nmea::{self, Framer};
 use crate::picture::Picture;
 use crate::settings::Settings;
 use crate::station::{Direction, Input, Output, PortIndex, PortSetup, Profile};
+use crate::stream::ModeName;
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle};
 use alloc::collections::VecDeque;
@@ -278,9 +279,11 @@ impl Autopilot {
         let mode = core::mem::replace(&mut self.mode, Mode::Standby);
         self.mode = mode.next(event, &ship);
         self.why = why.to_string();
-        if self.mode.name() != before && self.mode.name() != crate::stream::ModeName::Standby {
-            if matches!(before, crate::stream::ModeName::Standby) {
-                // From STANDBY the gear stands where the hand left it.
+        // While orders are given the steering joins one law to the next by itself; else it begins anew.
+        let idle = |name| matches!(name, ModeName::Standby | ModeName::RudderHold);
+        if idle(before) && !idle(self.mode.name()) {
+            if before == ModeName::Standby {
+                // The gear stands where the hand left it.
                 let response = self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder);
                 self.order = response.unwrap_or(self.order);
             }

@@ -343,7 +343,7 @@ fn hostile_fields_never_panic_and_each_fault_names_a_field() {
         if round % 16 == 0 {
             let _ = (
                 hints(&sentence),
-                explain::json(1, None, &raw),
+                json(1, None, &raw),
                 steering(&sentence, true),
             );
         }

@@ -1,5 +1,7 @@
 //! Hand-written meanings of lines, and what typed views write.
 
+#![allow(clippy::needless_update)] // some samples name every field
+
 use crate::geo::Position;
 use crate::nmea::*;
 use alloc::string::String;
