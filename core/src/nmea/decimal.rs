@@ -87,7 +87,7 @@ impl Decimal {
 
     /// Reads a field; none where it is not a plain decimal number of at most 19 digits.
     #[must_use]
-    #[inline]
+    #[inline(never)]
     pub fn parse(text: &[u8]) -> Option<Self> {
         let (sign, digits) = match text.first()? {
             b'-' => (NEGATIVE, &text[1..]),
@@ -139,7 +139,7 @@ impl Decimal {
 
     /// Reads the field that stands at `start..end` of `body`; eight or sixteen bytes at a time where they are there.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub(crate) fn parse_in(body: &[u8], start: usize, end: usize) -> Option<Self> {
         let length = end.wrapping_sub(start);
         if length.wrapping_sub(1) < 8
@@ -158,7 +158,7 @@ impl Decimal {
     }
 
     /// Digits with at most one point inside; none where there is anything else, a sign too.
-    #[inline]
+    #[inline(always)]
     fn eight(word: u64, length: usize) -> Option<Self> {
         let digits = (word ^ ZEROS as u64) & (u64::MAX >> (64 - 8 * length));
         let strange = (digits.wrapping_add(OVER_NINE as u64) | digits) & (HIGH as u64);
@@ -190,7 +190,7 @@ impl Decimal {
     }
 
     /// As [`Self::eight`], for 9 to 16 characters.
-    #[inline]
+    #[inline(always)]
     fn sixteen(word: u128, length: usize) -> Option<Self> {
         let digits = (word ^ ZEROS) & (u128::MAX >> (128 - 8 * length));
         let strange = (digits.wrapping_add(OVER_NINE) | digits) & HIGH;
@@ -260,7 +260,7 @@ impl Decimal {
 
     /// Whether it lies from `low` to `high`, both included; exact.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn within(self, low: i32, high: i32) -> bool {
         if self.scale <= 9 && self.mantissa < 1 << 62 {
             let one = POW10[usize::from(self.scale)] as i64;

@@ -54,7 +54,7 @@ fn fault<'a>(faults: &mut Vec<Fault>, at: usize, kind: FaultKind) -> Value<'a> {
     Value::Invalid
 }
 
-#[inline]
+#[inline(always)]
 fn number<'a>(
     fields: &FieldList<'a>,
     format: Format,
@@ -101,6 +101,7 @@ fn check_letter(field: &[u8], letter: u8, at: usize, faults: &mut Vec<Fault>) {
     }
 }
 
+#[inline(always)]
 fn side(field: &[u8], sides: Sides, at: usize, faults: &mut Vec<Fault>) -> Option<bool> {
     match field {
         [letter] if *letter == sides.positive => Some(false),
@@ -140,6 +141,7 @@ fn sided<'a>(
 }
 
 /// Degrees and minutes, unsigned, with the digits of the format.
+#[inline(always)]
 fn angle(
     fields: &FieldList<'_>,
     degrees: u8,

@@ -31,7 +31,7 @@ impl<'a> FieldList<'a> {
         if n == 0 { &[] } else { self.at(n - 1) }
     }
     /// Field with index `at`, counted from 0; empty where there is none.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(&self, at: usize) -> &'a [u8] {
         if at < usize::from(self.count) {
             let from = usize::from(self.separators[at]) + 1;
@@ -42,7 +42,7 @@ impl<'a> FieldList<'a> {
         }
     }
     /// The number in the field with index `at`; none where it is not one.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn number(&self, at: usize) -> Option<super::Decimal> {
         let start = usize::from(*self.separators.get(at)?) + 1;
         let end = usize::from(*self.separators.get(at + 1)?);

@@ -16,7 +16,9 @@ macro_rules! reads {
         let sentence = decode(text.as_bytes());
         assert_eq!(sentence.faults(), [], "{}", $body);
         let view = $view::from_sentence(&sentence).expect("the view");
-        assert_eq!(view, $view { $($field: $value,)* ..Default::default() }, "{}", $body);
+        #[allow(clippy::needless_update)]
+        let expected = $view { $($field: $value,)* ..Default::default() };
+        assert_eq!(view, expected, "{}", $body);
         assert_eq!(encode(&sentence).as_deref(), Some(text.as_str()));
     };
 }
