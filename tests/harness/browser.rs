@@ -3,9 +3,12 @@
 use fantoccini::wd::Capabilities;
 use fantoccini::{Client, ClientBuilder, Locator};
 use hyper_util::client::legacy::connect::HttpConnector;
+use nix::sys::signal::{Signal, killpg};
+use nix::unistd::Pid;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
+use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -26,7 +29,10 @@ struct Driver {
 
 impl Drop for Driver {
     fn drop(&mut self) {
-        let _ = self.child.kill();
+        // The whole group, so that a test that failed leaves no Chromium behind.
+        if let Ok(id) = i32::try_from(self.child.id()) {
+            let _ = killpg(Pid::from_raw(id), Signal::SIGKILL);
+        }
         let _ = self.child.wait();
     }
 }
@@ -37,6 +43,7 @@ impl Driver {
         let began = crate::alone();
         let mut child = Command::new("chromedriver")
             .arg("--port=0")
+            .process_group(0)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -76,6 +83,10 @@ impl Browser {
             ]}),
         );
         wanted.insert("goog:loggingPrefs".into(), json!({"browser": "ALL"}));
+        wanted.insert(
+            "timeouts".into(),
+            json!({"pageLoad": 60_000, "script": 30_000}),
+        );
         let client = ClientBuilder::new(HttpConnector::new())
             .capabilities(wanted)
             .connect(&format!("http://{}", driver.address))
@@ -187,6 +198,9 @@ impl Browser {
     #[allow(clippy::unwrap_used)]
     fn post(&self, path: &str, body: &Value) -> Value {
         let mut stream = TcpStream::connect(self.driver.address).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(30)))
+            .unwrap();
         let body = body.to_string();
         let request = format!(
             "POST /session/{}/{path} HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\n\
@@ -196,10 +210,19 @@ impl Browser {
             body.len()
         );
         stream.write_all(request.as_bytes()).unwrap();
-        let mut text = String::new();
-        let _ = stream.read_to_string(&mut text);
-        let body = text.split("\r\n\r\n").nth(1).unwrap_or_default();
-        serde_json::from_str(body).unwrap_or(Value::Null)
+        // The driver keeps the connection open: the length says where the answer ends.
+        let mut answer = BufReader::new(stream);
+        let (mut line, mut length) = (String::new(), 0_u64);
+        while answer.read_line(&mut line).unwrap_or(0) > 2 {
+            let lower = line.to_ascii_lowercase();
+            if let Some(value) = lower.strip_prefix("content-length:") {
+                length = value.trim().parse().unwrap_or(0);
+            }
+            line.clear();
+        }
+        let mut body = Vec::new();
+        let _ = answer.take(length).read_to_end(&mut body);
+        serde_json::from_slice(&body).unwrap_or(Value::Null)
     }
 
     /// Ends the browser in good order.

@@ -1,0 +1,5 @@
+//! The page in Chromium: it moves, agrees with the lines, commands, explains, and never complains.
+#![allow(clippy::unwrap_used)]
+
+mod bridge;
+mod decoder;
