@@ -69,7 +69,7 @@ fn silent_on_a_leg_holds_the_present_heading() {
     assert!(!rig.raised(Alert::TrackDataLate));
     rig.run(1.1);
     assert_eq!(rig.last_htd().steering_mode, Some(SteeringMode::StandAlone));
-    rig.run(240.0);
+    rig.run(60.0);
     let off = rig.heading().deg() - rig.set_heading();
     assert!(off.abs() < 1.5, "{off}");
     rig.check_orders();

@@ -109,10 +109,10 @@ fn a_position_jump_ends_track_control_without_a_turn_towards_it() {
         twin.step();
         let order = |rig: &Rig| rig.autopilot.rudder_order().unwrap().deg();
         let apart = (order(&rig) - order(&twin)).abs();
-        assert!(apart < 8.0, "{apart} degrees from the twin's order");
+        assert!(apart < 4.0, "{apart} degrees from the twin's order");
     }
     rig.run(60.0);
-    assert!((rig.heading().deg() - heading).abs() < 5.0);
+    assert!((rig.heading().deg() - heading).abs() < 2.0);
     rig.check_orders();
 }
 
