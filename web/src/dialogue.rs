@@ -125,10 +125,7 @@ fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
     view! {
         <div class="line-row" class:selected=move || field.get().is_some() data-line=lane.2>
             <span class="when">{move || when.get()}</span>
-            {move || {
-                let _again_when_it_comes = dictionary.ready();
-                view! { <Chips dictionary text=text.get() chosen=field choose/> }
-            }}
+            {move || view! { <Chips dictionary text=text.get() chosen=field choose/> }}
         </div>
     }
 }

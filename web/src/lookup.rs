@@ -86,11 +86,6 @@ impl Dictionary {
         dictionary
     }
 
-    /// Whether it is there; tracked, for what a component's untracked body needs.
-    pub(crate) fn ready(self) -> bool {
-        self.ready.get()
-    }
-
     /// Explains a line; nothing while the dictionary is under way.
     pub(crate) fn explain(self, number: u64, text: &str) -> Option<Explanation> {
         if !self.ready.get() {
