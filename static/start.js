@@ -1,13 +1,5 @@
 // Starts the page.
 import init from "{{script}}";
-
-// The dictionary is a module of its own, fetched when something is to be explained.
-globalThis.wheeloverDictionary = async () => {
-  const dictionary = await import("{{dictionary_script}}");
-  await dictionary.default({ module_or_path: "{{dictionary_wasm}}" });
-  return dictionary.explain;
-};
-
 await init({ module_or_path: "{{wasm}}" });
 if ("serviceWorker" in navigator) {
   // The page lives without it: a certificate that was clicked through forbids it.

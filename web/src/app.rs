@@ -6,7 +6,6 @@ use crate::bridge::Bridge;
 use crate::deck::Deck;
 use crate::decoder::Decoder;
 use crate::dialogue::Dialogue;
-use crate::lookup::Dictionary;
 use crate::top::{NoLink, TopBar};
 use crate::{link, palette};
 use leptos::prelude::*;
@@ -66,7 +65,6 @@ pub fn start() {
 #[component]
 fn Page(deck: Deck) -> impl IntoView {
     provide_context(deck);
-    provide_context(Dictionary::new());
     let shown = || View::of(&window().location().hash().unwrap_or_default());
     let view = RwSignal::new(shown());
     let handle = window_event_listener(leptos::ev::hashchange, move |_| view.set(shown()));
@@ -89,7 +87,6 @@ fn Page(deck: Deck) -> impl IntoView {
 /// The decoder without a server.
 #[component]
 fn DecoderAlone() -> impl IntoView {
-    provide_context(Dictionary::new());
     view! {
         <div class="page alone">
             <header class="top">

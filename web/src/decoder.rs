@@ -1,7 +1,6 @@
 //! The decoder: lines pasted or dropped, explained by the same core; needs no server.
 
-use crate::explained::Explained;
-use crate::lookup::Dictionary;
+use crate::explained::{Explained, explain};
 use leptos::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{DragEvent, File};
@@ -21,7 +20,6 @@ $EIHTC,V,,,T,R,,0.50,,280.0,T,C*07";
 /// The decoder page.
 #[component]
 pub(crate) fn Decoder() -> impl IntoView {
-    let dictionary = Dictionary::here();
     let text = RwSignal::new(EXAMPLE.to_owned());
     let dropping = RwSignal::new(false);
     let lines = Memo::new(move |_| {
@@ -39,8 +37,7 @@ pub(crate) fn Decoder() -> impl IntoView {
             lines
                 .iter()
                 .take(2_000)
-                .filter_map(|(n, text)| dictionary.explain(*n, text))
-                .filter(|line| !line.faults.is_empty())
+                .filter(|(n, text)| !explain(*n, text).faults.is_empty())
                 .count()
         });
         match all {
@@ -107,7 +104,7 @@ pub(crate) fn Decoder() -> impl IntoView {
                     key=|line| line.clone()
                     let:line
                 >
-                    {move || dictionary.explain(line.0, &line.1).map(|line| view! { <Explained line chosen=none/> })}
+                    <Explained line=explain(line.0, &line.1) chosen=none/>
                 </For>
             </div>
         </main>

@@ -1,9 +1,8 @@
 //! The dialogue page: the latest line of every sentence in both directions, live; a tap on a field explains it.
 
 use crate::deck::Deck;
-use crate::explained::{Chips, Explained};
+use crate::explained::{Chips, Explained, explain};
 use crate::heard::Lane;
-use crate::lookup::Dictionary;
 use crate::{format, situation};
 use leptos::prelude::*;
 use wheelover_core::station::Direction;
@@ -109,7 +108,6 @@ fn LaneRows(port: RwSignal<usize>, heard: bool, chosen: Chosen) -> impl IntoView
 #[component]
 fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
     let deck = Deck::here();
-    let dictionary = Dictionary::here();
     let (line, when) = latest(deck, lane.clone());
     let text = Memo::new(move |_| {
         line.with(|line| line.as_ref().map(|line| line.4.clone()).unwrap_or_default())
@@ -125,7 +123,7 @@ fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
     view! {
         <div class="line-row" class:selected=move || field.get().is_some() data-line=lane.2>
             <span class="when">{move || when.get()}</span>
-            {move || view! { <Chips dictionary text=text.get() chosen=field choose/> }}
+            {move || view! { <Chips text=text.get() chosen=field choose/> }}
         </div>
     }
 }
@@ -159,7 +157,6 @@ fn latest(deck: Deck, lane: Lane) -> (Memo<Option<Line>>, Memo<String>) {
 #[component]
 fn Looked(chosen: Chosen) -> impl IntoView {
     let deck = Deck::here();
-    let dictionary = Dictionary::here();
     let text = Memo::new(move |_| {
         deck.readings.track();
         chosen.with(|chosen| {
@@ -171,8 +168,8 @@ fn Looked(chosen: Chosen) -> impl IntoView {
         Signal::derive(move || chosen.with(|chosen| chosen.as_ref().map(|(_, field)| *field)));
     view! {
         <section class="looked">
-            {move || match text.get().and_then(|text| dictionary.explain(0, &text)) {
-                Some(line) => view! { <Explained line chosen=field/> }.into_any(),
+            {move || match text.get() {
+                Some(text) => view! { <Explained line=explain(0, &text) chosen=field/> }.into_any(),
                 None => view! { <p class="explained quiet">"Tap a field: it is explained here."</p> }.into_any(),
             }}
         </section>

@@ -1,21 +1,25 @@
 //! A line explained: its fields as chips to tap, or as a table with names, values, units, meanings, faults and hints.
 
-use crate::format;
-use crate::lookup::{Dictionary, Explanation, Field};
 use leptos::prelude::*;
-use serde_json::Value;
+use wheelover_core::nmea::{JsonField, JsonLine, JsonValue, decode, json_line};
+
+use crate::format;
+use crate::heard::latin1;
+
+/// Explains one line by the core's dictionary.
+#[must_use]
+pub(crate) fn explain(number: u64, text: &str) -> JsonLine {
+    json_line(number, None, &decode(&latin1(text)))
+}
 
 /// A line as chips: the address and each field can be tapped.
 #[component]
 pub(crate) fn Chips(
-    dictionary: Dictionary,
     text: String,
     #[prop(into)] chosen: Signal<Option<usize>>,
     choose: Callback<usize>,
 ) -> impl IntoView {
-    let Some(line) = dictionary.explain(0, &text) else {
-        return view! { <span class="quiet">{text}</span> }.into_any();
-    };
+    let line = explain(0, &text);
     if line.address.is_empty() {
         return view! { <span class="chip fault">{text}</span> }.into_any();
     }
@@ -65,7 +69,7 @@ pub(crate) fn Chips(
 }
 
 /// The address as it stands before the first comma.
-fn short(line: &Explanation) -> String {
+fn short(line: &JsonLine) -> String {
     line.address
         .split(',')
         .next()
@@ -74,17 +78,18 @@ fn short(line: &Explanation) -> String {
 }
 
 /// The value as a person reads it.
-fn value(field: &Field) -> String {
+fn value(field: &JsonField) -> String {
     match &field.value {
-        Value::Null => format::NO_TEXT.to_owned(),
-        Value::String(text) => text.clone(),
-        other => other.to_string(),
+        JsonValue::Null => format::NO_TEXT.to_owned(),
+        JsonValue::Number(number) => format!("{number}"),
+        JsonValue::Integer(number) => format!("{number}"),
+        JsonValue::Text(text) => text.clone(),
     }
 }
 
 /// What its code means, and what the field is for.
-fn words(field: &Field) -> String {
-    let parts = [field.meaning.as_deref().unwrap_or_default(), &field.note];
+fn words(field: &JsonField) -> String {
+    let parts = [field.meaning.unwrap_or_default(), field.note];
     let said: Vec<_> = parts.into_iter().filter(|text| !text.is_empty()).collect();
     said.join(". ")
 }
@@ -92,15 +97,12 @@ fn words(field: &Field) -> String {
 /// A line as a table: every field with name, value, unit, meaning, fault and use.
 #[component]
 pub(crate) fn Explained(
-    line: Explanation,
+    line: JsonLine,
     #[prop(into)] chosen: Signal<Option<usize>>,
 ) -> impl IntoView {
     let faults = line.faults.clone();
     let hints = line.hints.clone();
-    let title = line
-        .title
-        .clone()
-        .unwrap_or_else(|| "unknown sentence".to_owned());
+    let title = line.title.unwrap_or("unknown sentence");
     let name = if line.sentence.is_empty() {
         "no sentence".to_owned()
     } else {
@@ -120,7 +122,7 @@ pub(crate) fn Explained(
         let words = words(field);
         Some(view! {
             <p class="looked-at" data-explained=n.to_string()>
-                <b>{n}" "{field.name.replace('_', " ")}": "{value(field)}" "{field.unit.clone().unwrap_or_default()}</b>
+                <b>{n}" "{field.name.replace('_', " ")}": "{value(field)}" "{field.unit.unwrap_or_default()}</b>
                 " "
                 {words}
             </p>
@@ -142,7 +144,7 @@ pub(crate) fn Explained(
                     <td class="mono">{n}</td>
                     <td>{field.name.replace('_', " ")}</td>
                     <td class="mono">{field.raw.clone()}</td>
-                    <td class="mono">{value(field)}" "{field.unit.clone().unwrap_or_default()}</td>
+                    <td class="mono">{value(field)}" "{field.unit.unwrap_or_default()}</td>
                     <td>
                         {words}
                         {field.fault.clone().map(|fault| view! { <b class="field-fault">" "{fault.replace('_', " ")}</b> })}

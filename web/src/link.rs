@@ -2,16 +2,12 @@
 
 use crate::deck::Deck;
 use leptos::prelude::*;
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use std::time::Duration;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{CloseEvent, MessageEvent, WebSocket};
-use wheelover_core::stream::{
-    Answer, Do, Hello, Lines, PortsDocument, RouteDocument, Snapshot, Up,
-};
+use wheelover_core::stream::{Do, Down, Up};
 
 /// First wait before a new connection, milliseconds; doubled up to [`LONGEST_WAIT`].
 const FIRST_WAIT: u64 = 250;
@@ -162,31 +158,14 @@ fn reopen(deck: Deck, wait: u64) {
     );
 }
 
-/// The kind of a frame, read before its body: a tagged enum would carry every body twice through the parser's buffer.
-#[derive(Deserialize)]
-struct Kind<'a> {
-    #[serde(rename = "type", borrow)]
-    kind: &'a str,
-}
-
 fn receive(deck: Deck, text: &str) {
-    let understood = serde_json::from_str::<Kind<'_>>(text)
-        .ok()
-        .and_then(|kind| take(deck, kind.kind, text));
-    if understood.is_none() {
+    let Ok(down) = serde_json::from_str::<Down>(text) else {
         deck.misunderstood();
-    }
-}
-
-/// Takes one frame; nothing where it cannot be read.
-fn take(deck: Deck, kind: &str, text: &str) -> Option<()> {
-    fn body<T: DeserializeOwned>(text: &str) -> Option<T> {
-        serde_json::from_str(text).ok()
-    }
+        return;
+    };
     deck.alive();
-    match kind {
-        "hello" => {
-            let hello: Hello = body(text)?;
+    match down {
+        Down::Hello(hello) => {
             STATE.with_borrow_mut(|state| state.wait = FIRST_WAIT);
             let from = deck.greet(hello);
             send(&Up::Subscribe {
@@ -195,25 +174,21 @@ fn take(deck: Deck, kind: &str, text: &str) -> Option<()> {
             });
             send(&Up::Resume { seq: from });
         }
-        "snapshot" => {
-            let snapshot: Snapshot = body(text)?;
+        Down::Snapshot(snapshot) => {
             send(&Up::Ack {
                 frame: snapshot.frame,
             });
             deck.snapshot(snapshot);
         }
-        "lines" => {
-            let lines: Lines = body(text)?;
+        Down::Lines(lines) => {
             if !deck.lines(&lines) {
                 // Lines are missing: only a new hello can mend the picture.
                 reopen(deck, 0);
             }
         }
-        "route" => deck.route.set(body::<RouteDocument>(text)?),
-        "ports" => deck.ports.set(body::<PortsDocument>(text)?.ports),
-        "answer" => deck.answered(body::<Answer>(text)?),
-        "settings" | "gap" => {}
-        _ => return None,
+        Down::Route(route) => deck.route.set(route),
+        Down::Ports(ports) => deck.ports.set(ports.ports),
+        Down::Settings(_) | Down::Gap { .. } => {}
+        Down::Answer(answer) => deck.answered(answer),
     }
-    Some(())
 }
