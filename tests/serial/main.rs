@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod dialogue;
+mod golden;
 mod hostile;
 mod two_programs;
 

@@ -3,7 +3,7 @@
 use crate::bundle;
 use crate::serve::server;
 use crate::shell::{Failure, Outcome, cargo, has, output, root, run, step, target};
-use crate::tools::{BARE, WASM, browser, has_target, wasm_target};
+use crate::tools::{BARE, WASM, browser, gpsd, has_target, wasm_target};
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
@@ -14,8 +14,8 @@ use std::time::Instant;
 /// The step that failed.
 pub(crate) fn test() -> Outcome {
     let started = Instant::now();
-    step("tools: wasm target, Chromium, chromedriver", || {
-        wasm_target().and_then(|()| browser())
+    step("tools: wasm target, Chromium, chromedriver, gpsd", || {
+        wasm_target().and_then(|()| browser()).and_then(|()| gpsd())
     })?;
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
     step("files under 400 lines, one subject each", file_lengths)?;

@@ -1,4 +1,4 @@
-//! What the build and the tests need from the machine: the wasm target, a browser and its driver.
+//! What the build and the tests need from the machine: the wasm target, a browser and its driver, gpsd's decoder.
 
 use crate::shell::{Failure, Outcome, has, output, root, run};
 use std::path::Path;
@@ -50,20 +50,37 @@ pub(crate) fn browser() -> Outcome {
     if has("chromedriver") && (has("chromium") || has("chromium-browser") || has("google-chrome")) {
         return Ok(());
     }
-    let by_hand = "the browser tests need Chromium and chromedriver on the path; install both";
+    install(
+        &["chromium", "chromium-driver"],
+        "the browser tests need Chromium and chromedriver on the path; install both",
+    )
+}
+
+/// Installs gpsd's decoder where it is missing and the system's packages can be installed (FB14).
+///
+/// # Errors
+/// It is missing and cannot be installed.
+pub(crate) fn gpsd() -> Outcome {
+    if has("gpsdecode") {
+        return Ok(());
+    }
+    install(
+        &["gpsd-clients"],
+        "the comparison with gpsd needs gpsdecode on the path; install gpsd's command-line tools",
+    )
+}
+
+/// Installs packages of the system; `by_hand` says what to do where that fails.
+fn install(packages: &[&str], by_hand: &str) -> Outcome {
     if !has("apt-get") {
         return Err(Failure::new(by_hand));
     }
-    eprintln!("installing chromium and chromium-driver");
-    apt(&["update"])?;
-    apt(&[
-        "install",
-        "-y",
-        "--no-install-recommends",
-        "chromium",
-        "chromium-driver",
-    ])
-    .map_err(|failure| Failure::new(format!("{failure}\n{by_hand}")))
+    eprintln!("installing {}", packages.join(" and "));
+    let with_reason = |failure| Failure::new(format!("{failure}\n{by_hand}"));
+    apt(&["update"]).map_err(with_reason)?;
+    let mut arguments = vec!["install", "-y", "--no-install-recommends"];
+    arguments.extend(packages);
+    apt(&arguments).map_err(with_reason)
 }
 
 fn apt(arguments: &[&str]) -> Outcome {
