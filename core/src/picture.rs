@@ -18,6 +18,8 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
+use postcard::ser_flavors::Flavor;
+use postcard::serialize_with_flavor;
 use serde::{Deserialize, Serialize};
 
 /// Where a value comes from.
@@ -217,11 +219,7 @@ impl Picture {
     /// A digest of the stored picture (no ages), hexadecimal: equal pictures, equal digests.
     #[must_use]
     pub fn digest(&self) -> String {
-        let text = serde_json::to_vec(self).unwrap_or_default();
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64; // FNV-1a
-        for byte in text {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+        let hash = serialize_with_flavor(self, Digest::default()).unwrap_or_default();
         format!("{hash:016x}")
     }
 
@@ -241,6 +239,28 @@ impl Picture {
             .filter(|heard| heard.usable(quantity, now).is_some())
             .min_by_key(|heard| rank(heard))
             .or_else(|| list.iter().max_by_key(|heard| heard.at))
+    }
+}
+
+/// FNV-1a over the picture's bytes as they are made.
+struct Digest(u64);
+
+impl Default for Digest {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Flavor for Digest {
+    type Output = u64;
+
+    fn try_push(&mut self, byte: u8) -> postcard::Result<()> {
+        self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        Ok(())
+    }
+
+    fn finalize(self) -> postcard::Result<u64> {
+        Ok(self.0)
     }
 }
 

@@ -131,11 +131,7 @@ pub(crate) fn AlertBar() -> impl IntoView {
                         .into_any()
                 }
             }}
-            <For each=move || others.get() key=|alert| (alert.number, alert.state as u8) let:alert>
-                <span class="small" data-alert=alert.number.to_string() data-state=state_key(alert.state)>
-                    {format!("+ {}", alert.title)}
-                </span>
-            </For>
+            {move || others.get().into_iter().map(other).collect_view()}
             <button
                 type="button"
                 class="act"
@@ -159,15 +155,18 @@ pub(crate) fn AlertBar() -> impl IntoView {
                 <b>"ACK"</b>
             </button>
             <div class="alert-list" class:hidden=move || !open.get() || alerts.with(Vec::is_empty)>
-                <For
-                    each=move || alerts.get()
-                    key=|alert| (alert.number, alert.state as u8)
-                    let:alert
-                >
-                    <Row alert/>
-                </For>
+                {move || alerts.get().into_iter().map(|alert| view! { <Row alert/> }).collect_view()}
             </div>
         </div>
+    }
+}
+
+/// A further alert, beside the highest.
+fn other(alert: AlertView) -> impl IntoView {
+    view! {
+        <span class="small" data-alert=alert.number.to_string() data-state=state_key(alert.state)>
+            {format!("+ {}", alert.title)}
+        </span>
     }
 }
 

@@ -6,6 +6,7 @@ use crate::bridge::Bridge;
 use crate::deck::Deck;
 use crate::decoder::Decoder;
 use crate::dialogue::Dialogue;
+use crate::lookup::Dictionary;
 use crate::top::{NoLink, TopBar};
 use crate::{link, palette};
 use leptos::prelude::*;
@@ -45,14 +46,18 @@ pub fn start() {
         mount_to_body(DecoderAlone);
         return;
     }
-    let deck = Deck::new();
-    mount_to_body(move || view! { <Page deck/> });
+    let (deck, dictionary) = (Deck::new(), Dictionary::new());
+    mount_to_body(move || view! { <Page deck dictionary/> });
     link::open(deck);
     let mut beat = 0_u32;
     let tick = move || {
         beat = beat.wrapping_add(1);
         deck.show();
         link::watch(deck);
+        if deck.own.with_untracked(Option::is_some) {
+            // What is shown first has come; from now on the decoder needs no server either.
+            dictionary.fetch();
+        }
         if beat.is_multiple_of(2) {
             deck.flash.update(|on| *on = !*on);
         }
@@ -63,8 +68,9 @@ pub fn start() {
 }
 
 #[component]
-fn Page(deck: Deck) -> impl IntoView {
+fn Page(deck: Deck, dictionary: Dictionary) -> impl IntoView {
     provide_context(deck);
+    provide_context(dictionary);
     let shown = || View::of(&window().location().hash().unwrap_or_default());
     let view = RwSignal::new(shown());
     let handle = window_event_listener(leptos::ev::hashchange, move |_| view.set(shown()));
@@ -87,6 +93,7 @@ fn Page(deck: Deck) -> impl IntoView {
 /// The decoder without a server.
 #[component]
 fn DecoderAlone() -> impl IntoView {
+    provide_context(Dictionary::new());
     view! {
         <div class="page alone">
             <header class="top">

@@ -1,12 +1,9 @@
 //! The decoder: lines pasted or dropped, explained by the same core; needs no server.
 
-use crate::explained::{Explained, explain};
+use crate::lookup::Dictionary;
 use leptos::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{DragEvent, File};
-
-/// At most so many lines are explained at once.
-const SHOWN: usize = 100;
 
 /// Lines to begin with: a turn commanded by a chart system, its answer, a position that cannot be, a short HTC.
 const EXAMPLE: &str = "$EIHTC,V,,,T,R,,,0.500,,,,280.0,T,C*1B
@@ -20,33 +17,22 @@ $EIHTC,V,,,T,R,,0.50,,280.0,T,C*07";
 /// The decoder page.
 #[component]
 pub(crate) fn Decoder() -> impl IntoView {
+    let dictionary = Dictionary::here();
     let text = RwSignal::new(EXAMPLE.to_owned());
     let dropping = RwSignal::new(false);
-    let lines = Memo::new(move |_| {
-        text.with(|text| {
-            text.lines()
-                .enumerate()
-                .filter(|(_, line)| !line.trim().is_empty())
-                .map(|(index, line)| (index as u64 + 1, sentence(line).to_owned()))
-                .collect::<Vec<_>>()
-        })
-    });
+    let answer = Memo::new(move |_| text.with(|text| dictionary.document(text)));
     let summary = move || {
-        let all = lines.with(Vec::len);
-        let faulty = lines.with(|lines| {
-            lines
-                .iter()
-                .take(2_000)
-                .filter(|(n, text)| !explain(*n, text).faults.is_empty())
-                .count()
-        });
-        match all {
-            0 => "no lines".to_owned(),
-            _ if all > SHOWN => {
-                format!("{all} lines, {faulty} with faults; the first {SHOWN} are explained")
-            }
-            _ => format!("{all} lines, {faulty} with faults"),
-        }
+        answer.with(|answer| match answer {
+            Some((words, _)) => words.clone(),
+            None => "the dictionary is on its way".to_owned(),
+        })
+    };
+    let tables = move || {
+        answer.with(|answer| {
+            answer
+                .as_ref()
+                .map_or_else(String::new, |(_, tables)| tables.clone())
+        })
     };
     let drop_files = move |event: DragEvent| {
         event.prevent_default();
@@ -67,8 +53,6 @@ pub(crate) fn Decoder() -> impl IntoView {
         event.prevent_default();
         dropping.set(true);
     };
-    let shown = move || lines.get().into_iter().take(SHOWN).collect::<Vec<_>>();
-    let none = Signal::derive(|| None);
     view! {
         <main
             class="decoder"
@@ -98,24 +82,9 @@ pub(crate) fn Decoder() -> impl IntoView {
                 ></textarea>
                 <p class="small">"Nothing leaves this page. Files can be dropped anywhere on it."</p>
             </div>
-            <div class="results">
-                <For
-                    each=shown
-                    key=|line| line.clone()
-                    let:line
-                >
-                    <Explained line=explain(line.0, &line.1) chosen=none/>
-                </For>
-            </div>
+            <div class="results" inner_html=tables></div>
         </main>
     }
-}
-
-/// The sentence of a line: what stands before its start (a time, a direction) is left away.
-fn sentence(line: &str) -> &str {
-    let line = line.trim();
-    let start = line.find(['$', '!', '\\']).unwrap_or(0);
-    line.get(start..).unwrap_or(line)
 }
 
 /// The first megabyte of a file, as Latin-1.

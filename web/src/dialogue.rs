@@ -1,10 +1,13 @@
 //! The dialogue page: the latest line of every sentence in both directions, live; a tap on a field explains it.
 
 use crate::deck::Deck;
-use crate::explained::{Chips, Explained, explain};
+use crate::drawing::Drawing;
 use crate::heard::Lane;
+use crate::lookup::Dictionary;
 use crate::{format, situation};
 use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, MouseEvent};
 use wheelover_core::station::Direction;
 use wheelover_core::stream::Line;
 
@@ -98,9 +101,7 @@ fn LaneRows(port: RwSignal<usize>, heard: bool, chosen: Chosen) -> impl IntoView
         })
     });
     view! {
-        <For each=move || lanes.get() key=|lane| lane.clone() let:lane>
-            <Row lane chosen/>
-        </For>
+        {move || lanes.get().into_iter().map(|lane| view! { <Row lane chosen/> }).collect_view()}
         <p class="quiet" class:hidden=move || lanes.with(|lanes| !lanes.is_empty())>"nothing yet"</p>
     }
 }
@@ -108,6 +109,7 @@ fn LaneRows(port: RwSignal<usize>, heard: bool, chosen: Chosen) -> impl IntoView
 #[component]
 fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
     let deck = Deck::here();
+    let dictionary = Dictionary::here();
     let (line, when) = latest(deck, lane.clone());
     let text = Memo::new(move |_| {
         line.with(|line| line.as_ref().map(|line| line.4.clone()).unwrap_or_default())
@@ -119,13 +121,32 @@ fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
             _ => None,
         })
     });
-    let choose = Callback::new(move |field| chosen.set(Some((mine.get_value(), field))));
+    let chips = move || {
+        let (text, field) = (text.get(), field.get());
+        dictionary.chips(&text, field).unwrap_or_else(|| {
+            let mut plain = Drawing::new();
+            plain.element("span", "quiet", text);
+            plain.markup()
+        })
+    };
+    let choose = move |event: MouseEvent| {
+        if let Some(field) = tapped(&event) {
+            chosen.set(Some((mine.get_value(), field)));
+        }
+    };
     view! {
         <div class="line-row" class:selected=move || field.get().is_some() data-line=lane.2>
             <span class="when">{move || when.get()}</span>
-            {move || view! { <Chips text=text.get() chosen=field choose/> }}
+            <span class="chips" inner_html=chips on:click=choose></span>
         </div>
     }
+}
+
+/// Number of the field whose chip was tapped.
+fn tapped(event: &MouseEvent) -> Option<usize> {
+    let target: Element = event.target()?.dyn_into().ok()?;
+    let chip = target.closest("[data-field]").ok()??;
+    chip.get_attribute("data-field")?.parse().ok()
 }
 
 /// The latest line of a lane, and its age and period in words.
@@ -145,7 +166,7 @@ fn latest(deck: Deck, lane: Lane) -> (Memo<Option<Line>>, Memo<String>) {
                 if age > 2_000 {
                     format!("{} ago", format::seconds(age))
                 } else {
-                    format!("{:.1} s", found.period as f64 / 1_000.0)
+                    format!("{} s", format::fixed(found.period as f64 / 1_000.0, 1))
                 }
             })
         })
@@ -157,6 +178,7 @@ fn latest(deck: Deck, lane: Lane) -> (Memo<Option<Line>>, Memo<String>) {
 #[component]
 fn Looked(chosen: Chosen) -> impl IntoView {
     let deck = Deck::here();
+    let dictionary = Dictionary::here();
     let text = Memo::new(move |_| {
         deck.readings.track();
         chosen.with(|chosen| {
@@ -164,15 +186,15 @@ fn Looked(chosen: Chosen) -> impl IntoView {
             deck.with_fold(|fold| fold.latest.get(lane).map(|latest| latest.line.4.clone()))
         })
     });
-    let field =
-        Signal::derive(move || chosen.with(|chosen| chosen.as_ref().map(|(_, field)| *field)));
+    let table = move || {
+        let field = chosen.with(|chosen| chosen.as_ref().map(|(_, field)| *field));
+        let table = text.with(|text| dictionary.table(text.as_ref()?, field));
+        table.unwrap_or_else(|| {
+            "<p class=\"explained quiet\">Tap a field: it is explained here.</p>".to_owned()
+        })
+    };
     view! {
-        <section class="looked">
-            {move || match text.get() {
-                Some(text) => view! { <Explained line=explain(0, &text) chosen=field/> }.into_any(),
-                None => view! { <p class="explained quiet">"Tap a field: it is explained here."</p> }.into_any(),
-            }}
-        </section>
+        <section class="looked" inner_html=table></section>
     }
 }
 
@@ -198,7 +220,7 @@ fn Log(port: RwSignal<usize>) -> impl IntoView {
                 .take(40)
                 .map(|Line(_, at, _, dir, text)| {
                     let arrow = if *dir == Direction::In { '<' } else { '>' };
-                    format!("{:9.3} {arrow} {text}", *at as f64 / 1_000.0)
+                    format!("{:>5}.{:03} {arrow} {text}", at / 1_000, at % 1_000)
                 })
                 .collect();
             lines.join("\n")

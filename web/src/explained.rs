@@ -1,80 +1,218 @@
-//! A line explained: its fields as chips to tap, or as a table with names, values, units, meanings, faults and hints.
+//! Lines explained, as markup: chips to tap, a table with names, values, units, meanings, faults and hints, a whole text.
+//!
+//! This belongs to the dictionary's module, which holds the texts; the page only shows it.
 
-use leptos::prelude::*;
-use wheelover_core::nmea::{JsonField, JsonLine, JsonValue, decode, json_line};
-
+use crate::drawing::Drawing;
 use crate::format;
 use crate::heard::latin1;
+use wheelover_core::nmea::{JsonField, JsonLine, JsonValue, decode, json_line};
 
-/// Explains one line by the core's dictionary.
-#[must_use]
-pub(crate) fn explain(number: u64, text: &str) -> JsonLine {
+/// At most so many lines of a text are explained at once.
+const SHOWN: usize = 100;
+/// At most so many lines of a text are searched for faults.
+const SEARCHED: usize = 20_000;
+
+fn explain(number: u64, text: &str) -> JsonLine {
     json_line(number, None, &decode(&latin1(text)))
 }
 
-/// A line as chips: the address and each field can be tapped.
-#[component]
-pub(crate) fn Chips(
-    text: String,
-    #[prop(into)] chosen: Signal<Option<usize>>,
-    choose: Callback<usize>,
-) -> impl IntoView {
-    let line = explain(0, &text);
+/// A line as chips: the address (0) and each field can be tapped.
+#[must_use]
+pub fn chips(text: &str, chosen: Option<usize>) -> String {
+    let line = explain(0, text);
+    let mut drawing = Drawing::new();
     if line.address.is_empty() {
-        return view! { <span class="chip fault">{text}</span> }.into_any();
+        drawing.element("span", "chip fault", text);
+        return drawing.markup();
     }
     let start = if line.raw.contains('!') { '!' } else { '$' };
-    let chip = move |n: usize, class: &'static str, text: String| {
-        view! {
-            <button
-                type="button"
-                class=class
-                data-field=n.to_string()
-                aria-pressed=move || if chosen.get() == Some(n) { "true" } else { "false" }
-                on:click=move |_| choose.run(n)
-            >
-                {text}
-            </button>
-        }
-    };
-    let address = chip(0, "chip address", format!("{start}{}", short(&line)));
-    let fields: Vec<_> = line
-        .fields
-        .iter()
-        .map(|field| {
-            let class = match (&field.fault, field.raw.is_empty()) {
-                (Some(_), _) => "chip fault",
-                (None, true) => "chip null",
-                (None, false) => "chip",
-            };
-            let text = if field.raw.is_empty() {
-                "·".to_owned()
-            } else {
-                field.raw.clone()
-            };
-            view! { <span>","</span>{chip(field.n, class, text)} }
-        })
-        .collect();
-    let sum = line
-        .checksum
-        .given
-        .clone()
-        .map_or_else(|| " no checksum".to_owned(), |given| format!("*{given}"));
-    view! {
-        {address}
-        {fields}
-        <span>{sum}</span>
+    let address = line.address.split(',').next().unwrap_or_default();
+    chip(
+        &mut drawing,
+        0,
+        chosen,
+        "chip address",
+        &format!("{start}{address}"),
+    );
+    for field in &line.fields {
+        let class = match (&field.fault, field.raw.is_empty()) {
+            (Some(_), _) => "chip fault",
+            (None, true) => "chip null",
+            (None, false) => "chip",
+        };
+        let raw = if field.raw.is_empty() {
+            "·"
+        } else {
+            &field.raw
+        };
+        drawing.plain("<span>,</span>");
+        chip(&mut drawing, field.n, chosen, class, raw);
     }
-    .into_any()
+    let sum = match &line.checksum.given {
+        Some(given) => format!("*{given}"),
+        None => " no checksum".to_owned(),
+    };
+    drawing.element("span", "", sum);
+    drawing.markup()
 }
 
-/// The address as it stands before the first comma.
-fn short(line: &JsonLine) -> String {
-    line.address
-        .split(',')
-        .next()
-        .unwrap_or_default()
-        .to_owned()
+fn chip(drawing: &mut Drawing, n: usize, chosen: Option<usize>, class: &str, text: &str) {
+    drawing
+        .open("button")
+        .attribute("type", "button")
+        .attribute("class", class)
+        .attribute("data-field", n)
+        .attribute("aria-pressed", chosen == Some(n));
+    drawing.inside().say(text).close("button");
+}
+
+/// A line as a table; the field that was tapped stands above it in words.
+#[must_use]
+pub fn table(text: &str, chosen: Option<usize>) -> String {
+    let mut drawing = Drawing::new();
+    article(&mut drawing, &explain(0, text), chosen);
+    drawing.markup()
+}
+
+/// A text of many lines: what it holds in one line of words, then each line as a table behind a line end.
+#[must_use]
+pub fn document(text: &str) -> String {
+    let lines = || {
+        text.lines()
+            .enumerate()
+            .filter(|(_, line)| !line.trim().is_empty())
+            .map(|(index, line)| (index as u64 + 1, sentence(line)))
+    };
+    let all = lines().count();
+    let faulty = lines()
+        .take(SEARCHED)
+        .filter(|(_, line)| !decode(&latin1(line)).faults().is_empty())
+        .count();
+    let mut drawing = Drawing::new();
+    match all {
+        0 => drawing.say("no lines"),
+        1 => drawing.say(format_args!("1 line, {faulty} with faults")),
+        _ => drawing.say(format_args!("{all} lines, {faulty} with faults")),
+    };
+    if all > SEARCHED {
+        drawing.say(format_args!(" among the first {SEARCHED}"));
+    }
+    if all > SHOWN {
+        drawing.say(format_args!("; the first {SHOWN} are explained"));
+    }
+    drawing.plain("\n");
+    for (number, line) in lines().take(SHOWN) {
+        article(&mut drawing, &explain(number, line), None);
+    }
+    drawing.markup()
+}
+
+/// The sentence of a line: what stands before its start (a time, a direction) is left away.
+fn sentence(line: &str) -> &str {
+    let line = line.trim();
+    let start = line.find(['$', '!', '\\']).unwrap_or(0);
+    line.get(start..).unwrap_or(line)
+}
+
+fn article(drawing: &mut Drawing, line: &JsonLine, chosen: Option<usize>) {
+    let name = match line.sentence.as_str() {
+        "" => "no sentence",
+        name => name,
+    };
+    let computed = &line.checksum.computed;
+    drawing
+        .open("article")
+        .attribute("class", "explained")
+        .attribute("data-sentence", name)
+        .inside();
+    let title = line.title.unwrap_or("unknown sentence");
+    drawing.element("h2", "", format_args!("{name} · {title}"));
+    drawing.element("p", "raw", &line.raw);
+    drawing
+        .open("p")
+        .attribute("class", "small")
+        .attribute("data-checksum", computed)
+        .inside();
+    match &line.checksum.given {
+        Some(given) if given == computed => drawing.say(format_args!("checksum {given}: right")),
+        Some(given) => drawing.say(format_args!("checksum {given}: should be {computed}")),
+        None => drawing.say(format_args!("no checksum: should be {computed}")),
+    };
+    drawing.close("p");
+    if let Some(field) = line.fields.iter().find(|field| chosen == Some(field.n)) {
+        looked_at(drawing, field);
+    }
+    let faults = line.faults.iter().map(|fault| match fault.n {
+        Some(n) => format!("field {n}: {}", fault.text),
+        None => fault.text.clone(),
+    });
+    list(drawing, "faults", faults);
+    list(drawing, "hints", line.hints.iter().cloned());
+    drawing.plain(
+        "<table><thead><tr><th>#</th><th>name</th><th>raw</th><th>value</th><th>meaning and use</th></tr></thead><tbody>",
+    );
+    for field in &line.fields {
+        row(drawing, field, chosen == Some(field.n));
+    }
+    drawing.plain("</tbody></table></article>");
+}
+
+/// The field that was tapped, in words.
+fn looked_at(drawing: &mut Drawing, field: &JsonField) {
+    drawing
+        .open("p")
+        .attribute("class", "looked-at")
+        .attribute("data-explained", field.n)
+        .inside();
+    let name = field.name.replace('_', " ");
+    let (value, unit) = (value(field), field.unit.unwrap_or_default());
+    let said = format!("{} {name}: {value} {unit}", field.n);
+    drawing.element("b", "", said);
+    drawing.say(' ').say(words(field)).close("p");
+}
+
+fn list(drawing: &mut Drawing, class: &str, entries: impl ExactSizeIterator<Item = String>) {
+    let count = entries.len();
+    if count == 0 {
+        return;
+    }
+    drawing
+        .open("ul")
+        .attribute("class", class)
+        .attribute(&format!("data-{class}"), count)
+        .inside();
+    for entry in entries {
+        drawing.element("li", "", entry);
+    }
+    drawing.close("ul");
+}
+
+fn row(drawing: &mut Drawing, field: &JsonField, chosen: bool) {
+    let class = match (&field.fault, field.raw.is_empty(), chosen) {
+        (Some(_), _, _) => "fault",
+        (None, _, true) => "chosen",
+        (None, true, false) => "null",
+        (None, false, false) => "",
+    };
+    drawing
+        .open("tr")
+        .attribute("class", class)
+        .attribute("data-field", field.n)
+        .inside();
+    drawing.element("td", "mono", field.n);
+    drawing.element("td", "", field.name.replace('_', " "));
+    drawing.element("td", "mono", &field.raw);
+    let unit = field.unit.unwrap_or_default();
+    drawing.element("td", "mono", format_args!("{} {unit}", value(field)));
+    drawing.plain("<td>").say(words(field));
+    if let Some(fault) = &field.fault {
+        drawing.element(
+            "b",
+            "field-fault",
+            format_args!(" {}", fault.replace('_', " ")),
+        );
+    }
+    drawing.plain("</td></tr>");
 }
 
 /// The value as a person reads it.
@@ -94,105 +232,38 @@ fn words(field: &JsonField) -> String {
     said.join(". ")
 }
 
-/// A line as a table: every field with name, value, unit, meaning, fault and use.
-#[component]
-pub(crate) fn Explained(
-    line: JsonLine,
-    #[prop(into)] chosen: Signal<Option<usize>>,
-) -> impl IntoView {
-    let faults = line.faults.clone();
-    let hints = line.hints.clone();
-    let title = line.title.unwrap_or("unknown sentence");
-    let name = if line.sentence.is_empty() {
-        "no sentence".to_owned()
-    } else {
-        line.sentence.clone()
-    };
-    let (fault_count, hint_count) = (faults.len().to_string(), hints.len().to_string());
-    let key = name.clone();
-    let checksum = match &line.checksum.given {
-        Some(given) if *given == line.checksum.computed => format!("checksum {given}: right"),
-        Some(given) => format!("checksum {given}: should be {}", line.checksum.computed),
-        None => format!("no checksum: should be {}", line.checksum.computed),
-    };
-    let fields = line.fields.clone();
-    let looked = move || {
-        let n = chosen.get().filter(|n| *n > 0)?;
-        let field = fields.iter().find(|field| field.n == n)?;
-        let words = words(field);
-        Some(view! {
-            <p class="looked-at" data-explained=n.to_string()>
-                <b>{n}" "{field.name.replace('_', " ")}": "{value(field)}" "{field.unit.unwrap_or_default()}</b>
-                " "
-                {words}
-            </p>
-        })
-    };
-    let rows: Vec<_> = line
-        .fields
-        .iter()
-        .map(|field| {
-            let n = field.n;
-            let class = match (&field.fault, field.raw.is_empty()) {
-                (Some(_), _) => "fault",
-                (None, true) => "null",
-                (None, false) => "",
-            };
-            let words = words(field);
-            view! {
-                <tr class=class class:chosen=move || chosen.get() == Some(n) data-field=n.to_string()>
-                    <td class="mono">{n}</td>
-                    <td>{field.name.replace('_', " ")}</td>
-                    <td class="mono">{field.raw.clone()}</td>
-                    <td class="mono">{value(field)}" "{field.unit.unwrap_or_default()}</td>
-                    <td>
-                        {words}
-                        {field.fault.clone().map(|fault| view! { <b class="field-fault">" "{fault.replace('_', " ")}</b> })}
-                    </td>
-                </tr>
-            }
-        })
-        .collect();
-    view! {
-        <article class="explained" data-sentence=key>
-            <h2>{name}" · "{title}</h2>
-            <p class="raw">{line.raw.clone()}</p>
-            <p class="small" data-checksum=line.checksum.computed.clone()>{checksum}</p>
-            {looked}
-            {(!faults.is_empty())
-                .then(|| {
-                    view! {
-                        <ul class="faults" data-faults=fault_count>
-                            {faults
-                                .into_iter()
-                                .map(|fault| {
-                                    let place = fault.n.map_or_else(String::new, |n| format!("field {n}: "));
-                                    view! { <li>{place}{fault.text}</li> }
-                                })
-                                .collect_view()}
-                        </ul>
-                    }
-                })}
-            {(!hints.is_empty())
-                .then(|| {
-                    view! {
-                        <ul class="hints" data-hints=hint_count>
-                            {hints.into_iter().map(|hint| view! { <li>{hint}</li> }).collect_view()}
-                        </ul>
-                    }
-                })}
-            <table>
-                <thead>
-                    <tr>
-                        <th>"#"</th>
-                        <th>"name"</th>
-                        <th>"raw"</th>
-                        <th>"value"</th>
-                        <th>"meaning and use"</th>
-                    </tr>
-                </thead>
-                <tbody>{rows}</tbody>
-            </table>
-        </article>
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_field_is_a_chip_and_the_wrong_one_is_marked() {
+        let text = "$EIGLL,5345.345,N,12365.635,E,152829.96,A,A*7E";
+        let chips = chips(text, Some(3));
+        assert_eq!(chips.matches("data-field").count(), 8);
+        assert!(
+            chips
+                .contains("class=\"chip fault\" data-field=\"3\" aria-pressed=\"true\">12365.635<")
+        );
+        let table = table(text, Some(3));
+        assert!(table.contains("data-explained=\"3\""));
+        assert!(table.contains("data-faults=\"1\""), "{table}");
+    }
+
+    #[test]
+    fn a_text_says_how_many_lines_have_faults() {
+        let said = |text: &str| document(text).lines().next().unwrap_or_default().to_owned();
+        assert_eq!(said(" \n"), "no lines");
+        assert_eq!(
+            said("$EIHTC,V,,,T,R,,,,,245.0,T,C*00"),
+            "1 line, 1 with faults"
+        );
+        let good = "12.250 < $HEHDT,216.8,T*22\r\n";
+        assert_eq!(
+            said(&good.repeat(101)),
+            "101 lines, 0 with faults; the first 100 are explained"
+        );
+        let odd = document("<script>alert(1)</script>");
+        assert!(!odd.contains("<script"), "{odd}");
     }
 }

@@ -1,5 +1,6 @@
 //! Every number on the page is written here: declared decimals, sides as letters, unknown as dashes.
 
+use core::fmt::{self, Display, Formatter};
 use wheelover_core::geo::Position;
 
 /// What stands for an unknown angle.
@@ -13,13 +14,64 @@ pub const NO_TIME: &str = "--:--";
 /// What stands for an unknown text.
 pub const NO_TEXT: &str = "---";
 
-/// Rounds to `decimals`; a tie goes away from zero.
-fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    // No "-0.0".
-    match text.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|letter| letter == '0' || letter == '.') => rest.to_owned(),
-        _ => text,
+/// A number with a fixed count of decimals, rounded (a tie away from zero), never `-0`; written without any float formatting,
+/// which is a good part of what a page would weigh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fixed {
+    negative: bool,
+    scaled: u64,
+    whole: usize,
+    decimals: usize,
+}
+
+/// `value` with `decimals`, 0 to 6.
+#[must_use]
+pub fn fixed(value: f64, decimals: usize) -> Fixed {
+    padded(value, 1, decimals)
+}
+
+/// `value` with at least `whole` digits before the point and `decimals` behind it.
+#[must_use]
+pub fn padded(value: f64, whole: usize, decimals: usize) -> Fixed {
+    const TENS: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
+    let decimals = decimals.min(6);
+    let scaled = libm::round(libm::fabs(value) * TENS[decimals]) as u64;
+    Fixed {
+        negative: value < 0.0 && scaled != 0,
+        scaled,
+        whole,
+        decimals,
+    }
+}
+
+/// `value` with two decimals at most, without zeros behind the last digit that counts: `0.75`, `1.5`, `6`.
+#[must_use]
+pub fn short(value: f64) -> String {
+    let text = fixed(value, 2).to_string();
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+impl Fixed {
+    /// Whether it reads as zero.
+    #[must_use]
+    pub const fn is_zero(self) -> bool {
+        self.scaled == 0
+    }
+}
+
+impl Display for Fixed {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let one = 10_u64.pow(self.decimals as u32);
+        let (whole, part) = (self.scaled / one, self.scaled % one);
+        let (digits, decimals) = (self.whole, self.decimals);
+        if self.negative {
+            f.write_str("-")?;
+        }
+        write!(f, "{whole:0digits$}")?;
+        if decimals > 0 {
+            write!(f, ".{part:0decimals$}")?;
+        }
+        Ok(())
     }
 }
 
@@ -30,7 +82,7 @@ pub fn direction(degrees: Option<f64>) -> String {
         Some(degrees) => {
             let tenths = libm::round(degrees * 10.0);
             let wrapped = tenths - 3600.0 * libm::floor(tenths / 3600.0);
-            format!("{:05.1}", wrapped / 10.0)
+            padded(wrapped / 10.0, 3, 1).to_string()
         }
         None => NO_ANGLE.to_owned(),
     }
@@ -39,7 +91,7 @@ pub fn direction(degrees: Option<f64>) -> String {
 /// A speed in knots with one decimal.
 #[must_use]
 pub fn speed(knots: Option<f64>) -> String {
-    knots.map_or_else(|| NO_SPEED.to_owned(), |knots| fixed(knots, 1))
+    knots.map_or_else(|| NO_SPEED.to_owned(), |knots| fixed(knots, 1).to_string())
 }
 
 /// A signed value with its side as a letter: `S 8.2`, `P 0.4`; zero has no side.
@@ -49,8 +101,8 @@ pub fn sided(value: Option<f64>, decimals: usize) -> String {
         return NO_SIDED.to_owned();
     };
     let number = fixed(libm::fabs(value), decimals);
-    if number.chars().all(|letter| letter == '0' || letter == '.') {
-        number
+    if number.is_zero() {
+        number.to_string()
     } else if value > 0.0 {
         format!("S {number}")
     } else {
@@ -62,8 +114,8 @@ pub fn sided(value: Option<f64>, decimals: usize) -> String {
 #[must_use]
 pub fn miles(metres: Option<f64>) -> String {
     match metres.map(|metres| metres / 1852.0) {
-        Some(miles) if miles < 9.995 => fixed(miles, 2),
-        Some(miles) => fixed(miles, 1),
+        Some(miles) if miles < 9.995 => fixed(miles, 2).to_string(),
+        Some(miles) => fixed(miles, 1).to_string(),
         None => "-.--".to_owned(),
     }
 }
@@ -71,7 +123,7 @@ pub fn miles(metres: Option<f64>) -> String {
 /// A radius in nautical miles with two decimals; `- -` on a straight leg (DSP-1).
 #[must_use]
 pub fn radius(miles: Option<f64>) -> String {
-    miles.map_or_else(|| "- -".to_owned(), |miles| fixed(miles, 2))
+    miles.map_or_else(|| "- -".to_owned(), |miles| fixed(miles, 2).to_string())
 }
 
 /// Latitude and longitude in degrees and minutes with three decimals.
@@ -87,10 +139,10 @@ pub fn position(position: Option<Position>) -> (String, String) {
 }
 
 fn angle(degrees: f64, digits: usize, side: char) -> String {
-    let thousandths = libm::round(libm::fabs(degrees) * 60_000.0);
-    let whole = libm::floor(thousandths / 60_000.0);
-    let minutes = (thousandths - whole * 60_000.0) / 1000.0;
-    format!("{whole:0digits$.0}°{minutes:06.3}′{side}")
+    let thousandths = libm::round(libm::fabs(degrees) * 60_000.0) as u64;
+    let (whole, minutes) = (thousandths / 60_000, thousandths % 60_000);
+    let minutes = padded(minutes as f64 / 1000.0, 2, 3);
+    format!("{whole:0digits$}°{minutes}′{side}")
 }
 
 /// A span of time as minutes and seconds, or hours, minutes and seconds.
@@ -99,13 +151,12 @@ pub fn span(seconds: Option<f64>) -> String {
     let Some(seconds) = seconds.filter(|seconds| seconds.is_finite()) else {
         return NO_TIME.to_owned();
     };
-    let whole = libm::round(libm::fabs(seconds));
-    let (hours, rest) = (libm::floor(whole / 3600.0), whole % 3600.0);
-    let (minutes, seconds) = (libm::floor(rest / 60.0), rest % 60.0);
-    if hours > 0.0 {
-        format!("{hours:.0}:{minutes:02.0}:{seconds:02.0}")
+    let whole = libm::round(libm::fabs(seconds)) as u64;
+    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
+    if hours > 0 {
+        format!("{hours}:{minutes:02}:{seconds:02}")
     } else {
-        format!("{minutes:.0}:{seconds:02.0}")
+        format!("{minutes}:{seconds:02}")
     }
 }
 
@@ -114,12 +165,13 @@ pub fn span(seconds: Option<f64>) -> String {
 pub fn clock(seconds_of_day: Option<f64>) -> String {
     match seconds_of_day {
         Some(seconds) => {
-            let whole = libm::floor(seconds) - 86_400.0 * libm::floor(seconds / 86_400.0);
+            let day = seconds - 86_400.0 * libm::floor(seconds / 86_400.0);
+            let whole = libm::floor(day) as u64;
             format!(
-                "{:02.0}:{:02.0}:{:02.0}",
-                libm::floor(whole / 3600.0),
-                libm::floor(whole % 3600.0 / 60.0),
-                whole % 60.0
+                "{:02}:{:02}:{:02}",
+                whole / 3600,
+                whole / 60 % 60,
+                whole % 60
             )
         }
         None => "--:--:--".to_owned(),
@@ -138,7 +190,7 @@ pub fn clock_minutes(seconds_of_day: Option<f64>) -> String {
 #[must_use]
 pub fn age(milliseconds: u64) -> String {
     match milliseconds {
-        0..10_000 => fixed(milliseconds as f64 / 1000.0, 1) + " s",
+        0..10_000 => format!("{} s", fixed(milliseconds as f64 / 1000.0, 1)),
         10_000..120_000 => format!("{} s", milliseconds / 1000),
         _ => format!("{} min", milliseconds / 60_000),
     }
@@ -165,6 +217,18 @@ pub fn waypoint(identifier: Option<&str>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_round_and_lose_their_sign_with_their_digits() {
+        assert_eq!(fixed(-0.04, 1).to_string(), "0.0");
+        assert_eq!(fixed(-0.25, 1).to_string(), "-0.3");
+        assert_eq!(fixed(1234.5678, 3).to_string(), "1234.568");
+        assert_eq!(padded(9.5, 3, 1).to_string(), "009.5");
+        assert_eq!(
+            [0.75, 1.5, 6.0, 10.0].map(short),
+            ["0.75", "1.5", "6", "10"]
+        );
+    }
 
     #[test]
     fn a_direction_never_reads_360() {

@@ -1,7 +1,10 @@
-//! Geometry of a bar with zero in its middle: where a value stands, what is filled.
+//! A bar with zero in its middle: where a value stands, what is filled, how it is drawn.
 
-/// Width of the bar's picture, its own units.
-pub const WIDTH: f64 = 396.0;
+use crate::drawing::Drawing;
+use crate::format::fixed;
+
+/// The bar's picture: left, top, width and height in its own units.
+pub const VIEW: &str = "0 0 396 66";
 /// Where the bar begins and ends.
 pub const ENDS: (f64, f64) = (28.0, 368.0);
 
@@ -35,19 +38,82 @@ pub fn ticks(count: u32) -> String {
     let mut path = String::new();
     for index in 0..=2 * count {
         let x = ENDS.0 + (ENDS.1 - ENDS.0) * f64::from(index) / f64::from(2 * count);
-        let long = if (index % 2) == (count % 2) {
-            10.0
-        } else {
-            6.0
-        };
-        path.push_str(&format!("M{x:.1} 40v{long}"));
+        let x = fixed(x, 1);
+        let long = if (index % 2) == (count % 2) { 10 } else { 6 };
+        path.push_str(&format!("M{x} 40v{long}"));
     }
     path
+}
+
+/// What a bar shows. Without a value nothing is filled and no pointer rests at zero; the scale stays.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bar {
+    /// What is, filled from zero.
+    pub value: Option<f64>,
+    /// What is ordered, a pointer.
+    pub order: Option<f64>,
+    /// The scale's end on both sides.
+    pub full: f64,
+    /// A limit on both sides.
+    pub limit: Option<f64>,
+    /// Words under its middle.
+    pub note: String,
+}
+
+impl Bar {
+    /// The bar as the inside of an SVG element, with `count` lines of its scale to each side.
+    #[must_use]
+    pub fn markup(&self, count: u32) -> String {
+        let mut drawing = Drawing::new();
+        drawing.bar("rail", ENDS.0, ENDS.1 - ENDS.0);
+        if let Some(value) = self.value {
+            let (left, width) = fill(value, self.full);
+            drawing.bar(if value >= 0.0 { "stbd" } else { "port" }, left, width);
+        }
+        if let Some(limit) = self.limit {
+            let (port, stbd) = (place(-limit, self.full), place(limit, self.full));
+            let (port, stbd) = (fixed(port, 1), fixed(stbd, 1));
+            drawing.path("limit", "", &format!("M{port} 9v34M{stbd} 9v34"));
+        }
+        let zero = place(0.0, 1.0);
+        drawing.path("zero", "", &format!("M{} 8v36", fixed(zero, 1)));
+        if let Some(order) = self.order {
+            let left = fixed(place(order, self.full) - 9.0, 1);
+            drawing.path("order", "", &format!("M{left} 0h18l-9 13z"));
+        }
+        drawing.path("tick", "", &ticks(count));
+        let end = fixed(self.full, 0);
+        drawing.word("strong", "start", (ENDS.0, 63.0), end);
+        drawing.word("strong", "end", (ENDS.1, 63.0), end);
+        drawing.word("note", "middle", (zero, 63.0), &self.note);
+        drawing.markup()
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn without_a_value_the_scale_stays_and_nothing_rests_at_zero() {
+        let bar = Bar {
+            full: 35.0,
+            ..Bar::default()
+        };
+        let empty = bar.markup(7);
+        assert!(empty.contains("class=\"rail\"") && empty.contains(">35</text>"));
+        assert!(
+            !empty.contains("stbd") && !empty.contains("order"),
+            "{empty}"
+        );
+        let port = Bar {
+            value: Some(-3.0),
+            order: Some(0.0),
+            ..bar
+        };
+        let port = port.markup(7);
+        assert!(port.contains("class=\"port\"") && port.contains("class=\"order\""));
+    }
 
     #[test]
     fn starboard_is_right_and_nothing_leaves_the_bar() {

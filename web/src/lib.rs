@@ -16,6 +16,8 @@
     reason = "Leptos makes a public item of every component"
 )]
 
+pub mod drawing;
+pub mod explained;
 pub mod format;
 pub mod gauge;
 pub mod heard;
@@ -37,9 +39,9 @@ mod decoder;
 #[cfg(target_arch = "wasm32")]
 mod dialogue;
 #[cfg(target_arch = "wasm32")]
-mod explained;
-#[cfg(target_arch = "wasm32")]
 mod link;
+#[cfg(target_arch = "wasm32")]
+mod lookup;
 #[cfg(target_arch = "wasm32")]
 mod palette;
 #[cfg(target_arch = "wasm32")]

@@ -1,13 +1,19 @@
 //! The WebSocket: hello, lines and snapshots down; acknowledgements, resume and commands up. Comes back by itself.
 
 use crate::deck::Deck;
+use js_sys::Reflect;
 use leptos::prelude::*;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_wasm_bindgen::{Serializer, from_value};
 use std::cell::RefCell;
 use std::time::Duration;
-use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CloseEvent, MessageEvent, WebSocket};
-use wheelover_core::stream::{Do, Down, Up};
+use wheelover_core::stream::{
+    Answer, Do, Hello, Lines, PortsDocument, RouteDocument, Snapshot, Up,
+};
 
 /// First wait before a new connection, milliseconds; doubled up to [`LONGEST_WAIT`].
 const FIRST_WAIT: u64 = 250;
@@ -91,10 +97,11 @@ fn send(up: &Up) -> bool {
         let Some(socket) = &state.socket else {
             return false;
         };
-        match serde_json::to_string(up) {
-            Ok(text) => socket.socket.send_with_str(&text).is_ok(),
-            Err(_) => false,
-        }
+        let text = up
+            .serialize(&Serializer::json_compatible())
+            .ok()
+            .and_then(|up| js_sys::JSON::stringify(&up).ok()?.as_string());
+        text.is_some_and(|text| socket.socket.send_with_str(&text).is_ok())
     })
 }
 
@@ -159,13 +166,26 @@ fn reopen(deck: Deck, wait: u64) {
 }
 
 fn receive(deck: Deck, text: &str) {
-    let Ok(down) = serde_json::from_str::<Down>(text) else {
+    let understood = js_sys::JSON::parse(text)
+        .ok()
+        .and_then(|frame| take(deck, frame));
+    if understood.is_none() {
         deck.misunderstood();
-        return;
-    };
+    }
+}
+
+/// Takes one frame; nothing where it cannot be read.
+fn take(deck: Deck, frame: JsValue) -> Option<()> {
+    fn body<T: DeserializeOwned>(frame: JsValue) -> Option<T> {
+        from_value(frame).ok()
+    }
     deck.alive();
-    match down {
-        Down::Hello(hello) => {
+    let kind = Reflect::get(&frame, &JsValue::from_str("type"))
+        .ok()?
+        .as_string()?;
+    match kind.as_str() {
+        "hello" => {
+            let hello: Hello = body(frame)?;
             STATE.with_borrow_mut(|state| state.wait = FIRST_WAIT);
             let from = deck.greet(hello);
             send(&Up::Subscribe {
@@ -174,21 +194,25 @@ fn receive(deck: Deck, text: &str) {
             });
             send(&Up::Resume { seq: from });
         }
-        Down::Snapshot(snapshot) => {
+        "snapshot" => {
+            let snapshot: Snapshot = body(frame)?;
             send(&Up::Ack {
                 frame: snapshot.frame,
             });
             deck.snapshot(snapshot);
         }
-        Down::Lines(lines) => {
+        "lines" => {
+            let lines: Lines = body(frame)?;
             if !deck.lines(&lines) {
                 // Lines are missing: only a new hello can mend the picture.
                 reopen(deck, 0);
             }
         }
-        Down::Route(route) => deck.route.set(route),
-        Down::Ports(ports) => deck.ports.set(ports.ports),
-        Down::Settings(_) | Down::Gap { .. } => {}
-        Down::Answer(answer) => deck.answered(answer),
+        "route" => deck.route.set(body::<RouteDocument>(frame)?),
+        "ports" => deck.ports.set(body::<PortsDocument>(frame)?.ports),
+        "answer" => deck.answered(body::<Answer>(frame)?),
+        "settings" | "gap" => {}
+        _ => return None,
     }
+    Some(())
 }

@@ -87,7 +87,7 @@ impl<T> Reading<T> {
             .split('/')
             .next()
             .unwrap_or_default()
-            .to_uppercase()
+            .to_ascii_uppercase()
     }
 }
 

@@ -79,8 +79,8 @@ pub(super) fn Control() -> impl IntoView {
         deck.readings.track();
         armed.with(|armed| {
             armed.as_ref().map_or_else(String::new, |(what, until)| {
-                let seconds = ((until - wall()) / 1_000.0).max(0.0);
-                format!("{} ({seconds:.0})", what.words(set.get()))
+                let seconds = format::fixed(((until - wall()) / 1_000.0).max(0.0), 0);
+                format!("{} ({seconds})", what.words(set.get()))
             })
         })
     };

@@ -3,7 +3,7 @@
 use crate::deck::Deck;
 use crate::reading::{Reading, Readings, state_name};
 use crate::value::{Badge, Shown, Value, shown};
-use crate::{format, gauge};
+use crate::{format, gauge, gauge::Bar};
 use leptos::prelude::*;
 
 /// The right column.
@@ -50,62 +50,17 @@ fn HeadingPanel() -> impl IntoView {
     }
 }
 
-/// What a bar draws; changes only when the drawing does.
-#[derive(Clone, Debug, PartialEq)]
-struct Bar {
-    value: Option<f64>,
-    order: Option<f64>,
-    full: f64,
-    limit: Option<f64>,
-}
-
-/// A bar with zero in its middle. Without a value nothing is filled and no pointer rests at zero; the scale stays.
+/// A bar on the screen; drawn anew only when it changes.
 #[component]
-fn Gauge(
-    bar: Memo<Bar>,
-    #[prop(into)] note: Signal<String>,
-    ticks: u32,
-    label: &'static str,
-) -> impl IntoView {
-    let zero = gauge::place(0.0, 1.0);
-    let fill = move || {
-        let bar = bar.get();
-        bar.value.map(|value| {
-            let (left, width) = gauge::fill(value, bar.full);
-            let side = if value >= 0.0 { "stbd" } else { "port" };
-            view! { <rect class=side x=format!("{left:.1}") y="13" width=format!("{width:.1}") height="26"/> }
-        })
-    };
-    let order = move || {
-        let bar = bar.get();
-        bar.order.map(|order| {
-            let x = gauge::place(order, bar.full);
-            view! { <path class="order" d=format!("M{:.1} 0h18l-9 13z", x - 9.0)/> }
-        })
-    };
-    let limit = move || {
-        let bar = bar.get();
-        bar.limit.map(|limit| {
-            let (port, stbd) = (
-                gauge::place(-limit, bar.full),
-                gauge::place(limit, bar.full),
-            );
-            view! { <path class="limit" d=format!("M{port:.1} 9v34M{stbd:.1} 9v34")/> }
-        })
-    };
-    let end = move || format!("{:.0}", bar.get().full);
+fn Gauge(bar: Memo<Bar>, ticks: u32, label: &'static str) -> impl IntoView {
     view! {
-        <svg class="gauge" viewBox=format!("0 0 {} 66", gauge::WIDTH) role="img" aria-label=label>
-            <rect class="rail" x="28" y="13" width="340" height="26"/>
-            {fill}
-            {limit}
-            <path class="zero" d=format!("M{zero} 8v36")/>
-            {order}
-            <path class="tick" d=gauge::ticks(ticks)/>
-            <text x="28" y="63" class="strong">{end}</text>
-            <text x="368" y="63" class="strong" text-anchor="end">{end}</text>
-            <text x="198" y="63" text-anchor="middle">{move || note.get()}</text>
-        </svg>
+        <svg
+            class="gauge"
+            viewBox=gauge::VIEW
+            role="img"
+            aria-label=label
+            inner_html=move || bar.with(|bar| bar.markup(ticks))
+        ></svg>
     }
 }
 
@@ -123,6 +78,7 @@ fn RudderPanel() -> impl IntoView {
             order: r.order.value,
             full: 35.0,
             limit: limit.filter(|limit| *limit < 35.0),
+            note: limited(deck),
         })
     });
     view! {
@@ -134,7 +90,7 @@ fn RudderPanel() -> impl IntoView {
                 </p>
                 <span class="mid"><Value name="rudder-response" shown=response/></span>
             </div>
-            <Gauge bar note=Signal::derive(move || limited(deck)) ticks=7 label="rudder order and response"/>
+            <Gauge bar ticks=7 label="rudder order and response"/>
         </section>
     }
 }
@@ -142,8 +98,8 @@ fn RudderPanel() -> impl IntoView {
 fn limited(deck: Deck) -> String {
     deck.own
         .with(|own| match own.as_ref().and_then(|s| s.own.as_ref()) {
-            Some(own) if own.limited => format!("AT LIMIT {:.0}", own.rudder_limit),
-            Some(own) => format!("limit {:.0}", own.rudder_limit),
+            Some(own) if own.limited => format!("AT LIMIT {}", format::fixed(own.rudder_limit, 0)),
+            Some(own) => format!("limit {}", format::fixed(own.rudder_limit, 0)),
             None => String::new(),
         })
 }
@@ -165,14 +121,10 @@ fn RatePanel() -> impl IntoView {
                 order: r.rot_set.value,
                 full: gauge::full_scale(largest, &[60.0, 120.0, 300.0]),
                 limit: None,
+                note: r.rot_set.value.map_or_else(String::new, |rate| {
+                    format!("set {}", format::sided(Some(rate), 1))
+                }),
             }
-        })
-    });
-    let note = Signal::derive(move || {
-        deck.readings.with(|r| {
-            r.rot_set.value.map_or_else(String::new, |rate| {
-                format!("set {}", format::sided(Some(rate), 1))
-            })
         })
     });
     view! {
@@ -181,7 +133,7 @@ fn RatePanel() -> impl IntoView {
                 <p class="label">"ROT °/min "{move || rate.with(|r| r.port.clone())}<Badge shown=rate/></p>
                 <span class="mid"><Value name="rot" shown=rate/></span>
             </div>
-            <Gauge bar note ticks=6 label="rate of turn"/>
+            <Gauge bar ticks=6 label="rate of turn"/>
         </section>
     }
 }
@@ -200,7 +152,19 @@ fn CrossTrackPanel() -> impl IntoView {
             .with(|route| route.waypoints.get(leg? + 1).map(|waypoint| waypoint.xtd_m))
     });
     let bar = Memo::new(move |_| {
-        let limit = limits.get().map(|[port, stbd]| port.min(stbd));
+        let limits = limits.get();
+        let limit = limits.map(|[port, stbd]| port.min(stbd));
+        let note = limits.map_or_else(String::new, |[port, stbd]| {
+            if (port - stbd).abs() < 0.5 {
+                format!("limit {}", format::fixed(port, 0))
+            } else {
+                format!(
+                    "limits P {} S {}",
+                    format::fixed(port, 0),
+                    format::fixed(stbd, 0)
+                )
+            }
+        });
         deck.readings.with(|r| {
             let largest = r
                 .xtd
@@ -214,15 +178,7 @@ fn CrossTrackPanel() -> impl IntoView {
                 order: None,
                 full,
                 limit,
-            }
-        })
-    });
-    let note = Signal::derive(move || {
-        limits.get().map_or_else(String::new, |[port, stbd]| {
-            if (port - stbd).abs() < 0.5 {
-                format!("limit {port:.0}")
-            } else {
-                format!("limits P {port:.0} S {stbd:.0}")
+                note,
             }
         })
     });
@@ -239,7 +195,7 @@ fn CrossTrackPanel() -> impl IntoView {
                 </p>
                 <span class="mid"><Value name="xtd" shown=xtd/></span>
             </div>
-            <Gauge bar note ticks=6 label="cross-track distance"/>
+            <Gauge bar ticks=6 label="cross-track distance"/>
         </section>
     }
 }

@@ -4,7 +4,7 @@ use crate::deck::Deck;
 use leptos::prelude::*;
 use wheelover_core::stream::{ChartRequest, Do, FaultKind, VoyageOwn};
 
-const PACES: [f64; 5] = [1.0, 5.0, 10.0, 30.0, 60.0];
+const PACES: [u8; 5] = [1, 5, 10, 30, 60];
 
 /// Faults that can be put in: name of the button, its text, cable, kind.
 const FAULTS: [(&str, &str, &str, FaultKind); 3] = [
@@ -54,11 +54,14 @@ fn Bar() -> impl IntoView {
     let round = Memo::new(move |_| voyage.with(|v| v.as_ref().map_or(0, |v| v.round)));
     let current =
         Memo::new(move |_| voyage.with(|v| v.as_ref().is_some_and(|v| v.current[1] > 0.05)));
-    let pace = |pace: f64| {
-        let name = format!("speed-{pace:.0}");
+    let pace = |pace: u8| {
+        let name = format!("speed-{pace}");
         let asked = name.clone();
         let on = move || {
-            let on = voyage.with(|v| v.as_ref().is_some_and(|v| (v.speed - pace).abs() < 0.01));
+            let on = voyage.with(|v| {
+                v.as_ref()
+                    .is_some_and(|v| (v.speed - f64::from(pace)).abs() < 0.01)
+            });
             if on { "true" } else { "false" }
         };
         view! {
@@ -66,9 +69,9 @@ fn Bar() -> impl IntoView {
                 type="button"
                 data-command=name
                 aria-pressed=on
-                on:click=move |_| deck.command(&asked, Do::Speed(pace))
+                on:click=move |_| deck.command(&asked, Do::Speed(f64::from(pace)))
             >
-                {format!("{pace:.0}x")}
+                {format!("{pace}x")}
             </button>
         }
     };

@@ -1,5 +1,6 @@
 //! From places on the earth to points on the screen, and back to nothing else: the plan's one projection.
 
+use crate::format::fixed;
 use wheelover_core::geo::{Plane, Point, Position};
 
 /// What is up on the screen.
@@ -105,7 +106,7 @@ impl Frame {
         for (index, point) in points.iter().enumerate() {
             let (x, y) = self.point(*point);
             text.push(if index == 0 { 'M' } else { 'L' });
-            text.push_str(&format!("{x:.1} {y:.1}"));
+            text.push_str(&format!("{} {}", fixed(x, 1), fixed(y, 1)));
         }
         text
     }

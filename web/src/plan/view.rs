@@ -1,24 +1,12 @@
-//! The plan's frame on the screen: size, range, orientation, backdrop.
+//! The plan's frame on the screen: size, range, orientation, drawing.
 
 use super::frame::{Frame, Orientation, RANGES};
-use super::ship::OwnShip;
-use super::track::Track;
+use super::scene::{Scene, vector_minutes};
 use crate::deck::Deck;
 use crate::format;
 use leptos::html::Div;
 use leptos::prelude::*;
-use wheelover_core::geo::{Point, Position};
-
-/// Minutes that the vectors reach ahead, by range.
-#[must_use]
-pub(super) fn vector_minutes(range_nm: f64) -> f64 {
-    match range_nm {
-        range if range <= 0.75 => 1.5,
-        range if range <= 1.5 => 3.0,
-        range if range <= 3.0 => 6.0,
-        _ => 12.0,
-    }
-}
+use wheelover_core::geo::Position;
 
 /// The plan view.
 #[component]
@@ -56,17 +44,42 @@ pub(crate) fn Plan() -> impl IntoView {
             Some(Frame::around(ship, size, RANGES[range.get()], up, heading))
         })
     };
+    let drawing = move || {
+        let Some(frame) = frame() else {
+            return String::new();
+        };
+        let range_nm = RANGES[range.get()];
+        deck.readings.with_untracked(|readings| {
+            deck.route.with_untracked(|route| {
+                deck.own.with_untracked(|own| {
+                    deck.with_fold(|fold| {
+                        let chart = own.as_ref().and_then(|own| own.chart.as_ref());
+                        let trail = &fold.trail;
+                        Scene {
+                            frame,
+                            range_nm,
+                            readings,
+                            route,
+                            chart,
+                            trail,
+                        }
+                        .markup()
+                    })
+                })
+            })
+        })
+    };
     let corner = move || {
         format!(
             "{} · RM · {} NM",
             orientation.get().name(),
-            RANGES[range.get()]
+            format::short(RANGES[range.get()])
         )
     };
     let vector = move || {
         format!(
             "Vector {} min · ground stab.",
-            vector_minutes(RANGES[range.get()])
+            format::short(vector_minutes(RANGES[range.get()]))
         )
     };
     let turn_to = move |target: Orientation, name: &'static str| {
@@ -83,19 +96,7 @@ pub(crate) fn Plan() -> impl IntoView {
     };
     view! {
         <div class="plan" node_ref=element>
-            <svg role="img" aria-label="plan view">
-                {move || {
-                    frame()
-                        .map(|frame| {
-                            let range_nm = RANGES[range.get()];
-                            view! {
-                                <Backdrop frame range_nm/>
-                                <Track frame/>
-                                <OwnShip frame range_nm/>
-                            }
-                        })
-                }}
-            </svg>
+            <svg role="img" aria-label="plan view" inner_html=drawing></svg>
             <span class="corner tl">{corner}</span>
             <span class="corner bl">{vector}</span>
             <div class="tools">
@@ -120,26 +121,5 @@ pub(crate) fn Plan() -> impl IntoView {
                 </button>
             </div>
         </div>
-    }
-}
-
-/// Lines of latitude and longitude, and range rings around the ship.
-#[component]
-fn Backdrop(frame: Frame, range_nm: f64) -> impl IntoView {
-    let (graticule, _) = frame.graticule();
-    let (x, y) = frame.point(Point::default());
-    let rings = [0.5, 1.0].map(|part| {
-        let radius = range_nm * part * 1852.0 * frame.scale;
-        let label = format::miles(Some(range_nm * part * 1852.0));
-        view! {
-            <circle class="ring" cx=format!("{x:.1}") cy=format!("{y:.1}") r=format!("{radius:.1}")/>
-            <text class="ring-name" x=format!("{:.1}", x + radius * 0.707 + 4.0) y=format!("{:.1}", y + radius * 0.707 + 12.0)>
-                {label}
-            </text>
-        }
-    });
-    view! {
-        <path class="grid" d=graticule/>
-        {rings}
     }
 }

@@ -24,19 +24,21 @@ pub(crate) fn build(release: bool) -> Outcome {
             "build",
             "--package",
             "wheelover-web",
+            "--bins",
             "--target",
             WASM,
             "--profile",
             profile,
         ]))?;
-        let built = target().join(WASM).join(profile).join("wheelover-web.wasm");
-        let page = bind(&built, release)?;
+        let built = target().join(WASM).join(profile);
+        let page = bind(&built, "wheelover-web", release)?;
+        let dictionary = bind(&built, "wheelover-dictionary", release)?;
         let compression = if release {
             Compression::Small
         } else {
             Compression::Quick
         };
-        let first_load = lay(&page, compression)?;
+        let first_load = lay(&page, &dictionary, compression)?;
         eprintln!("first load: {first_load} bytes brotli, of {FIRST_LOAD_LIMIT}");
         if release && first_load > FIRST_LOAD_LIMIT {
             eprintln!("the first load is over its budget");
@@ -51,12 +53,12 @@ struct Page {
     wasm: Vec<u8>,
 }
 
-fn bind(built: &Path, release: bool) -> Result<Page, Failure> {
-    let folder = target().join("xtask-bindgen");
+fn bind(built: &Path, name: &str, release: bool) -> Result<Page, Failure> {
+    let folder = target().join("xtask-bindgen").join(name);
     let failed = |error: &dyn std::fmt::Display| Failure::new(format!("wasm-bindgen: {error}"));
     let mut bindgen = Bindgen::new();
     bindgen
-        .input_path(built)
+        .input_path(built.join(format!("{name}.wasm")))
         .out_name("page")
         .typescript(false)
         .omit_default_module_path(true)
@@ -84,24 +86,33 @@ fn bind(built: &Path, release: bool) -> Result<Page, Failure> {
 }
 
 /// Writes the folder; gives back the bytes of a first load.
-fn lay(page: &Page, compression: Compression) -> Result<u64, Failure> {
+fn lay(page: &Page, dictionary: &Page, compression: Compression) -> Result<u64, Failure> {
     let dist = root().join("web/dist");
     let fixed = root().join("static");
     clear(&dist.join("assets"))?;
     let mut first_load = Vec::new();
-    let mut asset = |stem: &str, ending: &str, content: &[u8]| -> Result<String, Failure> {
+    let later = |stem: &str, ending: &str, content: &[u8]| -> Result<String, Failure> {
         let name = format!("assets/{stem}-{}.{ending}", fingerprint(content));
         write(&dist.join(&name), content, compression)?;
-        first_load.push(dist.join(format!("{name}.br")));
         Ok(format!("/{name}"))
+    };
+    let mut asset = |stem: &str, ending: &str, content: &[u8]| -> Result<String, Failure> {
+        let name = later(stem, ending, content)?;
+        first_load.push(dist.join(format!("{}.br", name.trim_start_matches('/'))));
+        Ok(name)
     };
     let style = text(&fixed.join("page.css"))? + &text(&fixed.join("talk.css"))?;
     let palette = text(&fixed.join("palette.js"))?;
     let wasm = asset("page", "wasm", &page.wasm)?;
     let script = asset("page", "js", page.script.as_bytes())?;
+    // Fetched later, so not part of the first load.
+    let dictionary_wasm = later("dictionary", "wasm", &dictionary.wasm)?;
+    let dictionary_script = later("dictionary", "js", dictionary.script.as_bytes())?;
     let start = text(&fixed.join("start.js"))?
         .replace("{{script}}", &script)
-        .replace("{{wasm}}", &wasm);
+        .replace("{{wasm}}", &wasm)
+        .replace("{{dictionary_script}}", &dictionary_script)
+        .replace("{{dictionary_wasm}}", &dictionary_wasm);
     let start = asset("start", "js", start.as_bytes())?;
     let style_name = asset("page", "css", style.as_bytes())?;
     let palette_name = asset("palette", "js", palette.as_bytes())?;
@@ -115,8 +126,16 @@ fn lay(page: &Page, compression: Compression) -> Result<u64, Failure> {
     first_load.push(dist.join("index.html.br"));
 
     let build = fingerprint(index.as_bytes());
-    let kept =
-        [&wasm, &script, &start, &style_name, &palette_name].map(|name| format!("\"{name}\""));
+    let kept = [
+        &wasm,
+        &script,
+        &start,
+        &style_name,
+        &palette_name,
+        &dictionary_wasm,
+        &dictionary_script,
+    ]
+    .map(|name| format!("\"{name}\""));
     let worker = text(&fixed.join("sw.js"))?
         .replace("{{build}}", &build)
         .replace("\"{{assets}}\"", &kept.join(", "));
@@ -127,7 +146,9 @@ fn lay(page: &Page, compression: Compression) -> Result<u64, Failure> {
         .replace("{{style}}", &style)
         .replace("{{palette}}", &palette)
         .replace("{{script}}", &page.script)
-        .replace("{{wasm}}", &base64(&page.wasm));
+        .replace("{{wasm}}", &base64(&page.wasm))
+        .replace("{{dictionary_script}}", &dictionary.script)
+        .replace("{{dictionary_wasm}}", &base64(&dictionary.wasm));
     write(&dist.join("decoder.html"), decoder.as_bytes(), compression)?;
     for name in [
         "manifest.webmanifest",
