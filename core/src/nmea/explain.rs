@@ -4,6 +4,7 @@ pub use super::document::document;
 pub use super::json::{json, json_line};
 
 use super::explain_text::{compass, side_meaning, unit_meaning};
+use super::explain_units::name_units;
 use super::fault::{Fault, FaultKind};
 use super::read::read;
 use super::table::{Kind, MemberText, SentenceText};
@@ -123,6 +124,7 @@ pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
         fields.push(plain(sentence, fields.len() + 1, name, note));
     }
     fields.truncate(sentence.fields.len());
+    name_units(sentence, &mut fields);
     for fault in &faults {
         if let Some(n) = fault.field
             && let Some(field) = fields.get_mut(usize::from(n) - 1)

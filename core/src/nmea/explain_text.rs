@@ -75,6 +75,7 @@ pub(super) fn unit_meaning(letter: u8, unit: Option<&'static str>) -> Option<&'s
         (b'M', Some("deg")) => "magnetic",
         (b'N', Some("kn")) => "knots",
         (b'N', Some("nm")) => "nautical miles",
+        (b'K', Some("km")) => "kilometres",
         (b'K', _) => "kilometres an hour",
         (b'M', Some("m")) => "metres",
         (b'M', Some("m/s")) => "metres a second",

@@ -40,6 +40,8 @@ pub(crate) const FATHOMS: Format = Format::new(Unit::Fathoms, -MAX, MAX, 1, 1);
 pub(crate) const BARE: Format = Format::new(Unit::None, -MAX, MAX, 1, 1);
 /// The same, never negative.
 pub(crate) const SIZE: Format = Format::new(Unit::None, 0, MAX, 1, 3);
+/// A whole number of a `x.x` field, never negative.
+pub(crate) const COUNT: Format = Format::new(Unit::None, 0, MAX, 1, 0);
 pub(crate) const SPEED_THROUGH: Format = Format::new(Unit::Knots, -999, 9999, 1, 1);
 pub(crate) const KMH_THROUGH: Format = Format::new(Unit::KilometresPerHour, -1999, 19999, 1, 1);
 pub(crate) const PERCENT: Format = Format::new(Unit::Percent, -100, 100, 1, 1);

@@ -14,6 +14,7 @@ mod document;
 mod encode;
 pub mod explain;
 mod explain_text;
+mod explain_units;
 mod fault;
 mod formats;
 mod framer;

@@ -13,6 +13,11 @@ codes! {
     }
 }
 
+/// A whole number of metres.
+const fn metres(high: i32, digits: u8) -> Format {
+    Format::new(Unit::Metres, 0, high, digits, 0)
+}
+const TRANSITION: Format = Format::new(Unit::NauticalMiles, 1, 8, 1, 0);
 const DRAUGHT: Format = Format::new(Unit::Metres, 0, 25, 1, 1);
 
 sentences! {
@@ -38,7 +43,7 @@ sentences! {
         sequence: integer(whole(0, 3, 1)) "Identifier of the message.",
         mmsi: integer(MMSI) "Station that is addressed.",
         channel: integer(whole(0, 3, 1)) "Channel for the broadcast.",
-        message: number(SIZE) "Number of the radio message, 6 or 12.",
+        message: number(COUNT) "Number of the radio message, 6 or 12.",
         payload: payload() "Encapsulated data.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
     }
@@ -47,7 +52,7 @@ sentences! {
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
         channel: integer(whole(0, 3, 1)) "Channel for the broadcast.",
-        message: number(SIZE) "Number of the radio message, 8 or 14.",
+        message: number(COUNT) "Number of the radio message, 8 or 14.",
         payload: payload() "Encapsulated data.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
     }
@@ -65,17 +70,17 @@ sentences! {
     ssd = "SSD" b'$' [8] "AIS ship static data", "IEC 61162-1 SSD" {
         call_sign: text(7) "Call sign.",
         name: text(20) "Name of the ship.",
-        bow: integer(whole(0, 511, 3)) "From the reference point to the bow, metres.",
-        stern: integer(whole(0, 511, 3)) "To the stern, metres.",
-        port: integer(whole(0, 63, 2)) "To port, metres.",
-        starboard: integer(whole(0, 63, 2)) "To starboard, metres.",
+        bow: integer(metres(511, 3)) "From the reference point to the bow.",
+        stern: integer(metres(511, 3)) "To the stern.",
+        port: integer(metres(63, 2)) "To port.",
+        starboard: integer(metres(63, 2)) "To starboard.",
         dte: integer(whole(0, 1, 1)) "0: keyboard and display are there.",
         source: text(2) "Source of the data.",
     }
     abk = "ABK" b'$' [5] "AIS addressed and binary broadcast acknowledgement", "IEC 61162-1 ABK" {
         mmsi: integer(MMSI) "Station that was addressed.",
         channel: code(AisChannel) "Channel of the reception.",
-        message: number(SIZE) "Number of the radio message.",
+        message: number(COUNT) "Number of the radio message.",
         sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
         kind: integer(whole(0, 9, 1)) "Type of the acknowledgement.",
     }
@@ -91,7 +96,7 @@ sentences! {
         sequence: integer(whole(0, 9, 1)) "Identifier.",
         north_east: position(2) "North-east corner of the region.",
         south_west: position(2) "South-west corner of the region.",
-        transition: integer(whole(1, 8, 1)) "Transition zone, nautical miles.",
+        transition: integer(TRANSITION) "Transition zone.",
         channel_a: integer(whole(0, 9999, 4)) "Channel A.",
         bandwidth_a: integer(whole(0, 1, 1)) "Its bandwidth.",
         channel_b: integer(whole(0, 9999, 4)) "Channel B.",
@@ -104,12 +109,12 @@ sentences! {
     }
     air = "AIR" b'$' [8, 12] "AIS interrogation request", "IEC 61162-1 AIR" {
         mmsi_1: integer(MMSI) "First station.",
-        message_1: number(SIZE) "Message asked of it.",
+        message_1: number(COUNT) "Message asked of it.",
         section_1: integer(whole(0, 99, 1)) "Its sub-section.",
-        message_2: number(SIZE) "Second message asked of it.",
+        message_2: number(COUNT) "Second message asked of it.",
         section_2: integer(whole(0, 99, 1)) "Its sub-section.",
         mmsi_2: integer(MMSI) "Second station.",
-        message_3: number(SIZE) "Message asked of it.",
+        message_3: number(COUNT) "Message asked of it.",
         section_3: integer(whole(0, 99, 1)) "Its sub-section.",
         channel: text(1) "Channel, since the edition of 2018.",
         identifier_1: text(10) "First message identifier, since the edition of 2018.",
@@ -141,8 +146,8 @@ sentences! {
         arrival_time: time() "Time of arrival.",
         draught: number(DRAUGHT) "Draught.",
         cargo: text(10) "Ship and cargo.",
-        length: number(SIZE) "Length, metres.",
-        breadth: number(SIZE) "Breadth, metres.",
+        length: number(metres(i32::MAX, 1)) "Length.",
+        breadth: number(metres(i32::MAX, 1)) "Breadth.",
         ship_type: text(10) "Type of ship.",
         persons: integer(whole(0, 8191, 1)) "Persons on board.",
     }

@@ -36,6 +36,10 @@ codes! {
     ServiceCommand { Event = b'E' "event", Loop = b'F' "loop frequency", Reset = b'R' "reset the memory", Telemetry = b'T' "telemetry" }
 }
 
+const ANY_ANGLE: Format = Format::new(Unit::Degrees, -i32::MAX, i32::MAX, 1, 1);
+const WHOLE_ANGLE: Format = Format::new(Unit::Degrees, 0, i32::MAX, 1, 0);
+const CRUISE_SPEED: Format = Format::new(Unit::Knots, 0, i32::MAX, 1, 0);
+const SAMPLE_TIME: Format = Format::new(Unit::Milliseconds, 0, 999_999, 1, 0);
 const INSTALLED: Format = Format::new(Unit::None, -i32::MAX, i32::MAX, 1, 0);
 const GAIN: Format = Format::new(Unit::None, -i32::MAX, i32::MAX, 1, 3);
 const RUDDER_WHOLE: Format = Format::new(Unit::Degrees, -180, 180, 1, 0);
@@ -66,36 +70,36 @@ sentences! {
     }
     pemc03 as Pemc03 = "PEMC,03" b'$' [9] "Installation parameters (reply)", "EMACUA System Interfaces" {
         tiller: number(INSTALLED) "Position of the centred tiller.",
-        max_rudder: number(SIZE) "Largest rudder angle, degrees.",
-        cruise_speed: number(SIZE) "Average cruise speed, knots.",
+        max_rudder: number(WHOLE_ANGLE) "Largest rudder angle.",
+        cruise_speed: number(CRUISE_SPEED) "Average cruise speed.",
         side: code(InstallationSide) "Side of the installation.",
-        damping: number(SIZE) "Rudder damping.",
-        variation: number(BARE) "Magnetic variation, degrees, east positive.",
-        alignment: number(BARE) "Heading alignment, degrees.",
-        off_course: number(SIZE) "Off-course alarm angle, degrees.",
+        damping: number(COUNT) "Rudder damping.",
+        variation: number(ANY_ANGLE) "Magnetic variation, east positive.",
+        alignment: number(ANY_ANGLE) "Heading alignment.",
+        off_course: number(WHOLE_ANGLE) "Off-course alarm angle.",
     }
     pemc04 as Pemc04 = "PEMC,04" b'$' [9] "Set installation parameters; an empty field leaves its value", "EMACUA System Interfaces" {
         tiller: number(INSTALLED) "Position of the centred tiller.",
-        max_rudder: number(SIZE) "Largest rudder angle, degrees.",
-        cruise_speed: number(SIZE) "Average cruise speed, knots.",
+        max_rudder: number(WHOLE_ANGLE) "Largest rudder angle.",
+        cruise_speed: number(CRUISE_SPEED) "Average cruise speed.",
         side: code(InstallationSide) "Side of the installation.",
-        damping: number(SIZE) "Rudder damping.",
-        variation: number(BARE) "Magnetic variation, degrees, east positive.",
-        alignment: number(BARE) "Heading alignment, degrees.",
-        off_course: number(SIZE) "Off-course alarm angle, degrees.",
+        damping: number(COUNT) "Rudder damping.",
+        variation: number(ANY_ANGLE) "Magnetic variation, east positive.",
+        alignment: number(ANY_ANGLE) "Heading alignment.",
+        off_course: number(WHOLE_ANGLE) "Off-course alarm angle.",
     }
     pemc05 as Pemc05 = "PEMC,05" b'$' [6] "PID gains (reply)", "EMACUA System Interfaces" {
         kp: number(GAIN) "Proportional gain.",
         ki: number(GAIN) "Integral gain.",
         kd: number(GAIN) "Derivative gain.",
-        sample_time: integer(whole(0, 999_999, 1)) "Sample time, milliseconds; 100 to 5000 in whole control steps.",
+        sample_time: integer(SAMPLE_TIME) "Sample time; 100 to 5000 in whole control steps.",
         deadband: code(Deadband) "Deadband: m smallest, M largest, A automatic.",
     }
     pemc06 as Pemc06 = "PEMC,06" b'$' [6, 5] "Set PID gains; an empty field leaves its value", "EMACUA System Interfaces" {
         kp: number(GAIN) "Proportional gain.",
         ki: number(GAIN) "Integral gain.",
         kd: number(GAIN) "Derivative gain.",
-        sample_time: integer(whole(0, 999_999, 1)) "Sample time, milliseconds; 100 to 5000 in whole control steps.",
+        sample_time: integer(SAMPLE_TIME) "Sample time; 100 to 5000 in whole control steps.",
         deadband: code(Deadband) "Deadband: m smallest, M largest, A automatic.",
     }
     pemc07 as Pemc07 = "PEMC,07" b'$' [7] "Autopilot information (reply)", "EMACUA System Interfaces; Fenix handbook" {
@@ -122,9 +126,9 @@ sentences! {
         gyro: integer(whole(0, 1, 1)) "Second flag.",
         accelerometer: integer(whole(0, 1, 1)) "Third flag.",
         magnetometer: integer(whole(0, 1, 1)) "Fourth flag.",
-        euler_1: number(BARE) "First Euler angle; only in state C.",
-        euler_2: number(BARE) "Second Euler angle.",
-        euler_3: number(BARE) "Third Euler angle.",
+        euler_1: number(ANY_ANGLE) "First Euler angle; only in state C.",
+        euler_2: number(ANY_ANGLE) "Second Euler angle.",
+        euler_3: number(ANY_ANGLE) "Third Euler angle.",
     }
     pemc13 = "PEMC,13" b'$' [3] "Rudder feedback range", "Fenix handbook" {
         least: number(BARE) "Least feedback.",

@@ -12,8 +12,14 @@ codes! {
         Bottom = b'B' "bottom tracking log", Manual = b'M' "manually entered", Water = b'W' "water referenced",
         Radar = b'R' "radar tracking of a fixed target", Position = b'P' "positioning system, ground reference",
     }
-    /// Unit of speeds and distances of a radar.
-    RadarUnit { Kilometres = b'K' "kilometres (an hour)", Nautical = b'N' "nautical miles (knots)", Statute = b'S' "statute miles (an hour)" }
+    /// Unit of speeds and distances of a target.
+    RadarUnit {
+        Kilometres = b'K' "kilometres, kilometres an hour", Nautical = b'N' "nautical miles, knots", Statute = b'S' "statute miles, statute miles an hour",
+    }
+    /// Unit of the ranges of a radar.
+    RangeUnit { Kilometres = b'K' "kilometres", NauticalMiles = b'N' "nautical miles", StatuteMiles = b'S' "statute miles" }
+    /// Unit of own speed and drift.
+    SpeedUnit { Kilometres = b'K' "kilometres an hour", Knots = b'N' "knots", StatuteMiles = b'S' "statute miles an hour" }
     /// Rotation of a display.
     DisplayRotation {
         Course = b'C' "course-up, course over ground up", Head = b'H' "head-up, ship's heading up", North = b'N' "north-up, true north up",
@@ -38,7 +44,7 @@ sentences! {
         speed_reference: code(MotionReference) "What the speed is referred to.",
         set: number(DIRECTION) "Set, true, manually entered.",
         drift: number(SIZE) "Drift, manually entered.",
-        unit: code(RadarUnit) "Unit of the speeds.",
+        unit: code(SpeedUnit) "Unit of the speeds.",
     }
     rsd as Rsd = "RSD" b'$' [13] "Radar system data", "IEC 61162-1 RSD; Furuno AP-14" {
         origin_1_range: number(SIZE) "Range of origin 1 from own ship.",
@@ -52,7 +58,7 @@ sentences! {
         cursor_range: number(SIZE) "Range of the cursor from own ship.",
         cursor_bearing: number(DIRECTION) "Bearing of the cursor.",
         scale: number(SIZE) "Range scale in use.",
-        unit: code(RadarUnit) "Unit of the ranges.",
+        unit: code(RangeUnit) "Unit of the ranges.",
         rotation: code(DisplayRotation) "Rotation of the display.",
     }
     ttm as Ttm = "TTM" b'$' [15, 14, 13] "Tracked target message", "IEC 61162-1 TTM; Furuno AP-15" {
@@ -74,7 +80,7 @@ sentences! {
     }
     tlb as Tlb = "TLB" b'$' [] "Target label", "IEC 61162-1 TLB; Furuno AP-14" {
         ; each Open() TlbLabel labels {
-            target: number(SIZE) "Number of the target.",
+            target: number(COUNT) "Number of the target.",
             label: text(20) "Label assigned to it.",
         }
     }

@@ -329,3 +329,24 @@ fn lines_are_identified() {
     check("", "", "", false);
     check("$\u{e9}\u{e9}\u{e9}", "", "\u{e9}\u{e9}\u{e9}", false);
 }
+
+#[test]
+fn whole_numbers_of_the_documents_are_sent_whole() {
+    // SEN-9, EMC-1: as EMACUA and Furuno print them.
+    let check = |line: &str, again: Option<String>, talker: &str| {
+        let line = with_checksum(line);
+        assert_eq!(again.as_deref(), Some(line.as_str()), "{talker}");
+    };
+    let printed = "PEMC,03,2,45,5,S,2,-3.2,-32.9,10";
+    let line = with_checksum(printed);
+    let view = Pemc03::from_sentence(&decode(line.as_bytes()));
+    check(printed, view.map(|view| view.line("")), "PEMC,03");
+    let abm = "!AIABM,1,1,2,230123456,0,12,D89C,0";
+    let line = with_checksum(abm);
+    let view = Abm::from_sentence(&decode(line.as_bytes()));
+    check(abm, view.map(|view| view.line("AI")), "ABM");
+    let tlb = "RATLB,5,07,1023,230123456";
+    let line = with_checksum(tlb);
+    let view = Tlb::from_sentence(&decode(line.as_bytes()));
+    check(tlb, view.map(|view| view.line("RA")), "TLB");
+}
