@@ -1,11 +1,15 @@
 //! `wheelover decode` (CLI-2): explains the sentences of a file, as a table or as JSON lines.
 
+mod table;
+
+use self::table::table;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, IsTerminal, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
-use wheelover_core::nmea::explain::{FieldValue, explain, json_line, latin1};
-use wheelover_core::nmea::{Checksum, Frame, Framer, Sentence, decode as decode_line, hints};
+use wheelover_core::nmea::ais::Gatherer;
+use wheelover_core::nmea::{Checksum, Frame, Framer, Sentence, decode as decode_line, json_line};
+use wheelover_core::time::Stamp;
 
 /// Longest line of a file that is kept; the rest of a longer one is left out.
 const LONGEST_LINE: u64 = 64 * 1024;
@@ -66,6 +70,8 @@ fn run(mut input: impl BufRead, size: u64, out: &mut dyn Write, form: Form) -> i
     let mut progress = Progress::new(size, form.quiet);
     let mut line = Vec::new();
     let (mut number, mut valid) = (0, 0);
+    let mut gatherer = Gatherer::new();
+    let mut now = Stamp(0);
     loop {
         line.clear();
         let read = (&mut input)
@@ -84,11 +90,20 @@ fn run(mut input: impl BufRead, size: u64, out: &mut dyn Write, form: Form) -> i
         each_sentence(text, &mut |text| {
             let sentence = decode_line(text);
             valid += u64::from(is_valid(&sentence));
+            if let Some(at) = at.or_else(|| sentence.tag.and_then(|tag| tag.time())) {
+                now = Stamp((at * 1000.0) as u64);
+            }
+            let message = gatherer.push(now, &sentence);
             if outcome.is_ok() {
-                outcome = if form.json {
-                    writeln!(out, "{}", json_line(number, at, &sentence).text())
-                } else {
-                    table(out, number, at, &sentence, form.colour)
+                outcome = match (form.json, &message) {
+                    (true, Some(message)) => {
+                        let line = json_line(number, at, &sentence);
+                        writeln!(out, "{}", line.text_with(message))
+                    }
+                    (true, None) => writeln!(out, "{}", json_line(number, at, &sentence).text()),
+                    (false, message) => {
+                        table(out, number, at, &sentence, message.as_ref(), form.colour)
+                    }
                 };
             }
         });
@@ -153,107 +168,6 @@ fn is_valid(sentence: &Sentence<'_>) -> bool {
         Checksum::Wrong { .. } => false,
         Checksum::Missing { .. } => sentence.known.is_some() && sentence.field_faults().is_empty(),
     }
-}
-
-const BOLD: &str = "\x1b[1m";
-const DIM: &str = "\x1b[2m";
-const RED: &str = "\x1b[31m";
-const GREEN: &str = "\x1b[32m";
-const YELLOW: &str = "\x1b[33m";
-const PLAIN: &str = "\x1b[0m";
-
-fn table(
-    out: &mut dyn Write,
-    number: u64,
-    at: Option<f64>,
-    sentence: &Sentence<'_>,
-    colour: bool,
-) -> io::Result<()> {
-    let paint = |code: &'static str| if colour { code } else { "" };
-    let explanation = explain(sentence);
-    let (sum, sum_text) = match sentence.checksum {
-        Checksum::Right(sum) => (GREEN, format!("checksum {sum:02X} right")),
-        Checksum::Wrong { computed, .. } => {
-            (RED, format!("checksum wrong, should be {computed:02X}"))
-        }
-        Checksum::Missing { computed } => {
-            (YELLOW, format!("no checksum, should be {computed:02X}"))
-        }
-    };
-    writeln!(
-        out,
-        "{}{number:>6}  {}{}",
-        paint(DIM),
-        safe(&latin1(sentence.raw)),
-        paint(PLAIN)
-    )?;
-    let at = at.or_else(|| sentence.tag.and_then(|tag| tag.time()));
-    writeln!(
-        out,
-        "        {}{}{}  {}  {}{sum_text}{}{}",
-        paint(BOLD),
-        safe(&format!("{} {}", sentence.talker, sentence.formatter)),
-        paint(PLAIN),
-        explanation.title.unwrap_or("unknown sentence"),
-        paint(sum),
-        paint(PLAIN),
-        at.map(|at| format!("  at {at} s")).unwrap_or_default(),
-    )?;
-    for field in &explanation.fields {
-        let value = match (&field.value, field.raw) {
-            (_, []) => "–".into(),
-            (FieldValue::None, raw) => latin1(raw),
-            (value, _) => value.to_string(),
-        };
-        let unit = field.unit.filter(|_| !field.raw.is_empty()).unwrap_or("");
-        let name = field.name.to_string();
-        write!(
-            out,
-            "    {:>4}  {name:<28} {:>12} {unit:<8}",
-            field.n,
-            safe(&value)
-        )?;
-        match (&field.fault, field.meaning) {
-            (Some(fault), _) => writeln!(out, " {}{fault}{}", paint(RED), paint(PLAIN))?,
-            (None, Some(meaning)) => writeln!(out, " {meaning}")?,
-            (None, None) => writeln!(out)?,
-        }
-    }
-    for fault in explanation
-        .faults
-        .iter()
-        .filter(|fault| fault.field.is_none())
-    {
-        writeln!(
-            out,
-            "          {}fault: {fault}{}",
-            paint(RED),
-            paint(PLAIN)
-        )?;
-    }
-    for hint in hints(sentence) {
-        writeln!(
-            out,
-            "          {}hint: {}{}",
-            paint(YELLOW),
-            safe(&hint),
-            paint(PLAIN)
-        )?;
-    }
-    writeln!(out)
-}
-
-/// Control characters cannot reach the terminal.
-fn safe(text: &str) -> String {
-    text.chars()
-        .flat_map(|c| {
-            if c.is_control() {
-                c.escape_default().collect()
-            } else {
-                vec![c]
-            }
-        })
-        .collect()
 }
 
 /// How far a large file is read, on standard error where that is a terminal (CLI-5).
@@ -329,6 +243,40 @@ mod tests {
             lines[2].starts_with(r#"{"line":3,"at":null,"#),
             "{}",
             lines[2]
+        );
+    }
+
+    #[test]
+    fn the_last_line_of_a_message_tells_what_is_in_it() {
+        let parts = "!AIVDM,2,1,1,A,55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8,0*1C\n\
+            $HEHDT,216.8,T*22\n!AIVDM,2,2,1,A,88888888880,2*25\n";
+        let (_, out) = check(parts, true);
+        let lines: Vec<&str> = out.lines().collect();
+        assert!(!lines[0].contains("\"message\"") && !lines[1].contains("\"message\""));
+        let start = r#""message":{"type":5,"repeat_indicator":0,"#;
+        assert!(lines[2].contains(start), "{}", lines[2]);
+        assert!(lines[2].contains(r#""name":"EVER DIADEM""#), "{}", lines[2]);
+        let (_, out) = check(parts, false);
+        assert_eq!(out.matches("EVER DIADEM").count(), 1, "{out}");
+        assert!(
+            out.contains("message 5  Static and voyage-related data"),
+            "{out}"
+        );
+        // A part that is too old is not joined.
+        let timed = |second: &str| {
+            parts
+                .replace("!AIVDM,2,1", "1.5 < !AIVDM,2,1")
+                .replace("!AIVDM,2,2", second)
+        };
+        assert!(
+            check(&timed("2.5 < !AIVDM,2,2"), true)
+                .1
+                .contains("\"message\"")
+        );
+        assert!(
+            !check(&timed("20.5 < !AIVDM,2,2"), true)
+                .1
+                .contains("\"message\"")
         );
     }
 

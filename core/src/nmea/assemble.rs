@@ -1,9 +1,11 @@
-//! Joins what is spread over several sentences: ALF, ALC, RTE, GSV, VDM, VDO and TTD. One assembler a port.
+//! Joins what is spread over several sentences: ALF, ALC, RTE, GSV, VDM, VDO, ABM, BBM and TTD. One assembler a port.
 //!
 //! **Invariant:** at most 16 messages and 32 KiB are held; the oldest goes first, and none is kept over 10 s.
 
 use super::explain::latin1;
-use super::tables::{Alc, AlcEntry, Alf, Gsv, GsvSatellite, RouteMode, Rte, Ttd, Vdm, Vdo};
+use super::tables::{
+    Abm, Alc, AlcEntry, Alf, Bbm, Gsv, GsvSatellite, RouteMode, Rte, Ttd, Vdm, Vdo,
+};
 use super::{Sentence, decode};
 use crate::time::Stamp;
 use alloc::string::String;
@@ -38,6 +40,17 @@ pub enum Message {
     Radio {
         /// Sent by own ship (VDO).
         own: bool,
+        /// Its six-bit armoured data.
+        payload: String,
+        /// Bits of the last character that do not count.
+        fill_bits: u32,
+    },
+    /// A message that an AIS unit is to send (ABM, BBM).
+    ToSend {
+        /// Station that is addressed; none in a BBM.
+        destination: Option<u32>,
+        /// Number of the radio message.
+        number: Option<u8>,
         /// Its six-bit armoured data.
         payload: String,
         /// Bits of the last character that do not count.
@@ -150,7 +163,7 @@ impl Assembler {
 fn part(sentence: &Sentence<'_>) -> Option<Part> {
     // Fields that tell messages apart, besides talker and formatter.
     let marks: &[usize] = match sentence.formatter {
-        "ALF" | "ALC" | "TTD" => &[3],
+        "ALF" | "ALC" | "TTD" | "ABM" | "BBM" => &[3],
         "RTE" => &[3, 4],
         "GSV" => &[],
         "VDM" | "VDO" => &[3, 4],
@@ -222,6 +235,30 @@ fn join(lines: &[String]) -> Option<Message> {
         "TTD" => {
             let parts: Vec<Ttd> = sentences.iter().filter_map(Ttd::from_sentence).collect();
             Message::Targets {
+                payload: parts
+                    .iter()
+                    .filter_map(|part| part.payload.as_deref())
+                    .collect(),
+                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
+            }
+        }
+        "ABM" => {
+            let parts: Vec<Abm> = sentences.iter().filter_map(Abm::from_sentence).collect();
+            Message::ToSend {
+                destination: parts.first()?.mmsi,
+                number: parts.first()?.message.map(|number| number as u8),
+                payload: parts
+                    .iter()
+                    .filter_map(|part| part.payload.as_deref())
+                    .collect(),
+                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
+            }
+        }
+        "BBM" => {
+            let parts: Vec<Bbm> = sentences.iter().filter_map(Bbm::from_sentence).collect();
+            Message::ToSend {
+                destination: None,
+                number: parts.first()?.message.map(|number| number as u8),
                 payload: parts
                     .iter()
                     .filter_map(|part| part.payload.as_deref())

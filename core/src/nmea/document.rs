@@ -22,6 +22,7 @@ pub fn document() -> String {
     for definition in all {
         sentence(&mut out, definition);
     }
+    super::ais::document(&mut out);
     out
 }
 

@@ -5,7 +5,6 @@ use super::{Checksum, Sentence, decode, hints, unescape};
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::{Serialize, Serializer};
-use serde_json::Value as Json;
 
 /// One decoded line, as `wheelover decode --json` prints it.
 #[derive(Clone, Debug, Serialize)]
@@ -32,9 +31,6 @@ pub struct JsonLine {
     pub faults: Vec<JsonFault>,
     /// What else is worth knowing.
     pub hints: Vec<String>,
-    /// The message that the line completes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub message: Option<Json>,
 }
 
 /// Checksum of a line, two hexadecimal digits each.
@@ -140,7 +136,6 @@ pub fn json_line(line: u64, at: Option<f64>, sentence: &Sentence<'_>) -> JsonLin
             })
             .collect(),
         fields: explanation.fields.iter().map(field).collect(),
-        message: None,
     }
 }
 

@@ -5,6 +5,7 @@
 //!
 //! **Invariant:** decoding never fails, obeying is strict: only [`steering`] makes a command of a line.
 
+pub mod ais;
 mod assemble;
 mod checksum;
 mod codes;

@@ -1,0 +1,223 @@
+//! A message of six-bit characters: its table walked beside its bits.
+
+use super::bits::{Bits, NoArmour};
+use super::fault::{MessageFault, MessageFaultKind};
+use super::field::{Field, Item};
+use super::tables::{BINARY, HEADER, TEXT, UNSTRUCTURED, layout};
+use super::value::Value;
+use super::walk::Walk;
+use alloc::vec::Vec;
+
+/// A message of ITU-R M.1371, or a part of one, or one tracked target.
+///
+/// ```
+/// use wheelover_core::nmea::ais::{RadioMessage, Value};
+/// let message = RadioMessage::decode(b"15RTgt0PAso;90TKcjM8h6g208CQ", 0);
+/// assert_eq!(message.kind(), Some(1));
+/// assert_eq!(message.field("mmsi"), Value::Integer(371_798_000));
+/// assert_eq!(message.field("speed_over_ground"), Value::Number(12.3));
+/// assert!(message.faults().is_empty());
+/// ```
+#[derive(Clone, Debug)]
+pub struct RadioMessage<'p> {
+    payload: &'p [u8],
+    fill_bits: u32,
+    pub(super) bits: Bits,
+    kind: Option<u8>,
+    title: Option<&'static str>,
+    items: [&'static [Item]; 2],
+    fault: Option<MessageFaultKind>,
+}
+
+/// A field of a message.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry<'m> {
+    /// The list that it belongs to, and which of its entries, from 1; none and 0 outside.
+    pub group: Option<&'static str>,
+    /// Which entry of the list.
+    pub entry: usize,
+    /// Its value.
+    pub value: Value<'m>,
+    pub(super) field: &'static Field,
+}
+
+impl<'p> RadioMessage<'p> {
+    /// The message of a VDM or VDO. Never fails: what is wrong is found in [`Self::faults`].
+    #[must_use]
+    pub fn decode(payload: &'p [u8], fill_bits: u32) -> Self {
+        let mut message = Self::open(payload, fill_bits);
+        if message.bits.is_empty() {
+            message.fault.get_or_insert(MessageFaultKind::Empty);
+            return message;
+        }
+        let kind = message.bits.get(0, 6) as u8;
+        message.kind = Some(kind);
+        message.items[0] = HEADER;
+        match layout(kind) {
+            Some(layout) => message.lay_out(layout.title, layout.items, layout.least, layout.most),
+            None => {
+                _ = message
+                    .fault
+                    .get_or_insert(MessageFaultKind::UnknownType(kind))
+            }
+        }
+        message
+    }
+
+    /// What ABM or BBM gives an AIS unit to send as message `number`: the part behind the addresses.
+    #[must_use]
+    pub fn contents(number: u8, payload: &'p [u8], fill_bits: u32) -> Self {
+        let mut message = Self::open(payload, fill_bits);
+        message.kind = Some(number);
+        let longest = 968;
+        match number {
+            6 | 8 | 25 | 26 => message.lay_out("Binary data to be sent", BINARY, 16, longest),
+            12 | 14 => message.lay_out("Safety-related text to be sent", TEXT, 6, longest),
+            70 | 71 => message.lay_out("Unstructured data to be sent", UNSTRUCTURED, 1, longest),
+            _ => {
+                _ = message
+                    .fault
+                    .get_or_insert(MessageFaultKind::UnknownType(number))
+            }
+        }
+        message
+    }
+
+    /// The target at the beginning of the data of a TTD.
+    pub(super) fn target(payload: &'p [u8], layout: &'static super::Layout) -> Self {
+        let mut message = Self::open(payload, 0);
+        message.lay_out(layout.title, layout.items, layout.least, layout.most);
+        message
+    }
+
+    fn open(payload: &'p [u8], fill_bits: u32) -> Self {
+        let (mut bits, no_armour) = Bits::from_armour(payload);
+        let mut fault = None;
+        if let Some(NoArmour { at, byte }) = no_armour {
+            fault = Some(MessageFaultKind::BadCharacter {
+                place: at + 1,
+                byte,
+            });
+        } else if fill_bits > 5 {
+            fault = Some(MessageFaultKind::BadFillBits(fill_bits));
+        } else if payload.len() * 6 <= Bits::MOST {
+            bits.drop_last(fill_bits as usize);
+        }
+        Self {
+            payload,
+            fill_bits,
+            bits,
+            kind: None,
+            title: None,
+            items: [&[], &[]],
+            fault,
+        }
+    }
+
+    fn lay_out(&mut self, title: &'static str, items: &'static [Item], least: usize, most: usize) {
+        self.title = Some(title);
+        self.items[1] = items;
+        let found = match self.bits.len() {
+            held if self.payload.len() * 6 <= Bits::MOST => held,
+            _ => self.payload.len() * 6,
+        };
+        if found < least {
+            self.fault
+                .get_or_insert(MessageFaultKind::TooShort { found, least });
+        } else if found > most {
+            self.fault
+                .get_or_insert(MessageFaultKind::TooLong { found, most });
+        }
+    }
+
+    /// Number of the message; none where there is no bit.
+    #[must_use]
+    pub const fn kind(&self) -> Option<u8> {
+        self.kind
+    }
+    /// What the message is; none where its type is unknown.
+    #[must_use]
+    pub const fn title(&self) -> Option<&'static str> {
+        self.title
+    }
+    /// Its armoured characters as they came.
+    #[must_use]
+    pub const fn payload(&self) -> &'p [u8] {
+        self.payload
+    }
+    /// Bits of the last character that do not count, as they were given.
+    #[must_use]
+    pub const fn fill_bits(&self) -> u32 {
+        self.fill_bits
+    }
+    /// How many bits it has.
+    #[must_use]
+    pub const fn length(&self) -> usize {
+        self.bits.len()
+    }
+
+    /// Gives every field to `sink`, in the order of the message, and what is wrong to `faults`.
+    #[inline]
+    pub fn walk<'m>(&'m self, mut sink: impl FnMut(Entry<'m>), faults: &mut Vec<MessageFault>) {
+        if let Some(kind) = self.fault {
+            faults.push(MessageFault { field: None, kind });
+        }
+        let mut walk = Walk::new(&self.bits, &mut sink, faults);
+        walk.items(self.items[0]);
+        walk.items(self.items[1]);
+    }
+
+    /// The value of the first field with that name; null where there is none.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Value<'_> {
+        let mut found = None;
+        self.walk(
+            |entry| {
+                if found.is_none() && entry.name() == name {
+                    found = Some(entry.value);
+                }
+            },
+            &mut Vec::new(),
+        );
+        found.unwrap_or(Value::Null)
+    }
+
+    /// All its fields.
+    #[must_use]
+    pub fn entries(&self) -> Vec<Entry<'_>> {
+        let mut entries = Vec::with_capacity(32);
+        self.walk(|entry| entries.push(entry), &mut Vec::new());
+        entries
+    }
+
+    /// Everything that is wrong.
+    #[must_use]
+    pub fn faults(&self) -> Vec<MessageFault> {
+        let mut faults = Vec::new();
+        self.walk(|_| {}, &mut faults);
+        faults
+    }
+}
+
+impl Entry<'_> {
+    /// Its name, such as `speed_over_ground`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.field.name
+    }
+    /// Its unit; none for a bare number.
+    #[must_use]
+    pub const fn unit(&self) -> Option<&'static str> {
+        self.field.unit().name()
+    }
+    /// What it is.
+    #[must_use]
+    pub const fn note(&self) -> &'static str {
+        self.field.note
+    }
+    /// What its value means.
+    #[must_use]
+    pub fn meaning(&self) -> Option<&'static str> {
+        self.field.meaning(&self.value)
+    }
+}

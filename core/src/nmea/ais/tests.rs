@@ -1,0 +1,355 @@
+//! Tests over every message table: random valid values come back, hostile bits never panic (FB2, FB6, FB7).
+
+use super::field::{Field, Item, Kind, NEVER};
+use super::tables::{HEADER, layouts};
+use super::*;
+use crate::nmea::{decode, with_checksum};
+use crate::time::Stamp;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// A small seeded generator (xorshift).
+struct Random(u64);
+
+impl Random {
+    fn seeded(name: &str) -> Self {
+        // Fixed, so that a failure comes again; printed, so that it can be changed.
+        let seed = 0x5EED_1371_u64 ^ name.len() as u64;
+        std::eprintln!("{name}: seed {seed:#x}");
+        Self(seed)
+    }
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+    fn below(&mut self, limit: u64) -> u64 {
+        self.next() % limit.max(1)
+    }
+    fn from(&mut self, low: i32, high: i32) -> i32 {
+        low + self.below((i64::from(high) - i64::from(low) + 1) as u64) as i32
+    }
+}
+
+/// A valid value of a field.
+fn value(random: &mut Random, field: &Field) -> Input {
+    let null = random.below(5) == 0;
+    let highest = |width: usize| {
+        if width >= 31 {
+            i32::MAX
+        } else {
+            (1 << width) - 1
+        }
+    };
+    match &field.kind {
+        Kind::Number(scale) if null && scale.none != NEVER => Input::Null,
+        Kind::Number(scale) if random.below(8) == 0 && scale.top != NEVER => {
+            Input::AtLeast(f64::from(scale.top) / f64::from(scale.divisor))
+        }
+        Kind::Number(scale) => loop {
+            let raw = random.from(scale.low, scale.high.min(highest(field.width)));
+            if raw != scale.none && raw != scale.none_too && raw != scale.top {
+                let value = f64::from(raw + scale.plus) / f64::from(scale.divisor);
+                break Input::Number(if scale.divisor < 600 {
+                    value
+                } else {
+                    libm::round(value * 1e7) / 1e7
+                });
+            }
+        },
+        Kind::Code(none, _) => match random.from(0, highest(field.width)) {
+            raw if raw == *none => Input::Null,
+            raw => Input::from(raw),
+        },
+        Kind::Flag => Input::Flag(random.below(2) == 1),
+        Kind::Turn => match random.from(-128, 127) {
+            -128 => Input::Null,
+            raw @ (127 | -127) => Input::AtLeast(10.0 * f64::from(raw.signum())),
+            raw @ (126 | -126) => Input::AtLeast(field::rate_of_turn(raw)),
+            raw => Input::Number(field::rate_of_turn(raw)),
+        },
+        Kind::Text if null => Input::Null,
+        Kind::Text => {
+            let most = if field.width == 0 {
+                14
+            } else {
+                field.width / 6
+            };
+            let length = 1 + random.below(most as u64);
+            let character =
+                |_| char::from(b'!' + random.below(31) as u8 + 32 * u8::from(random.below(2) == 1));
+            let text: String = (0..length)
+                .map(character)
+                .filter(|&c| c != '@' && c < '`')
+                .collect();
+            if text.is_empty() {
+                Input::Null
+            } else {
+                Input::Text(text)
+            }
+        }
+        Kind::Binary(_) => {
+            let length = random.below(10) as usize;
+            let bytes: Vec<u8> = (0..length).map(|_| random.next() as u8).collect();
+            if length == 0 {
+                Input::Null
+            } else {
+                Input::Binary(bytes, length * 8)
+            }
+        }
+        Kind::Spare => Input::Null,
+    }
+}
+
+/// Sets every field of some items; a field on which others depend is set first, as it stands there twice.
+fn fill(random: &mut Random, items: &'static [Item], entry: usize, mut draft: Draft) -> Draft {
+    for item in items {
+        draft = match item {
+            Item::Field(field) if field.name.is_empty() || field.name == "type" => draft,
+            Item::Field(field) => {
+                let value = value(random, field);
+                draft.with_entry(field.name, entry, value)
+            }
+            Item::Each(_, most, _, items) => {
+                let entries = 1 + random.below(*most as u64) as usize;
+                (1..=entries).fold(draft, |draft, entry| fill(random, items, entry, draft))
+            }
+            Item::Part(items)
+            | Item::When(_, items)
+            | Item::Longer(_, items)
+            | Item::Auxiliary(_, items) => fill(random, items, entry, draft),
+        };
+    }
+    draft
+}
+
+#[test]
+fn random_valid_values_come_back_in_every_message() {
+    let mut random = Random::seeded("values");
+    for layout in layouts() {
+        for round in 0..300 {
+            let mut draft = fill(&mut random, HEADER, 0, Draft::new(layout.kind));
+            draft = fill(&mut random, layout.items, 0, draft);
+            let (payload, fill_bits) = draft.payload().unwrap();
+            let message = RadioMessage::decode(payload.as_bytes(), fill_bits.into());
+            assert_eq!(message.faults(), [], "{draft:?}");
+            assert_eq!(message.kind(), Some(layout.kind));
+            // What the message has is what was set.
+            for entry in message.entries() {
+                if entry.name() != "type" {
+                    let set = draft.set(entry.name(), entry.entry);
+                    assert_eq!(
+                        Input::from(entry.value),
+                        set,
+                        "{} of {draft:?}",
+                        entry.name()
+                    );
+                }
+            }
+            let again = Draft::of(&message).payload();
+            assert_eq!(
+                again,
+                Ok((payload, fill_bits)),
+                "message {} round {round}",
+                layout.kind
+            );
+        }
+    }
+}
+
+/// Everything that a caller can ask of a message.
+fn ask_all(gathered: &Gathered) {
+    let text = serde_json::to_string(gathered).unwrap();
+    assert!(
+        serde_json::from_str::<serde_json::Value>(&text).is_ok(),
+        "{text}"
+    );
+    let (messages, _) = gathered.messages();
+    for message in &messages {
+        for entry in message.entries() {
+            match entry.value {
+                Value::Number(value) | Value::AtLeast(value) => assert!(value.is_finite()),
+                Value::Text(text) => assert!(text.chars().all(|c| (' '..='_').contains(&c))),
+                _ => {}
+            }
+        }
+        for fault in message.faults() {
+            let named = fault
+                .field
+                .is_none_or(|name| message.entries().iter().any(|e| e.name() == name));
+            assert!(named, "{fault}");
+        }
+        // What is encoded is stable.
+        if let Ok((first, fill)) = Draft::of(message).payload() {
+            let once = RadioMessage::decode(first.as_bytes(), fill.into());
+            let twice = Draft::of(&once).payload();
+            if once.faults().is_empty() {
+                let again = twice.clone().unwrap();
+                let thrice = RadioMessage::decode(again.0.as_bytes(), again.1.into());
+                assert_eq!(Draft::of(&thrice).payload(), twice, "{text}");
+            }
+        }
+    }
+}
+
+const ARMOUR: &[u8] = b"0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVW`abcdefghijklmnopqrstuvw";
+
+#[test]
+fn hostile_bits_never_panic() {
+    let mut random = Random::seeded("hostile");
+    // A million in the long form.
+    let rounds = if std::env::var_os("WHEELOVER_LONG").is_some() {
+        1_000_000
+    } else {
+        60_000
+    };
+    for _ in 0..rounds {
+        let length = match random.below(4) {
+            0 => random.below(8),
+            1 => random.below(300),
+            _ => 10 + random.below(30),
+        };
+        let mut payload: String = (0..length)
+            .map(|_| char::from(ARMOUR[random.below(64) as usize]))
+            .collect();
+        if random.below(16) == 0 {
+            payload.push(random.below(256) as u8 as char);
+        }
+        if random.below(3) == 0 {
+            payload = payload.replace(char::is_alphabetic, "w");
+        }
+        let fill_bits = if random.below(8) == 0 {
+            random.next() as u32
+        } else {
+            random.below(6) as u32
+        };
+        ask_all(&match random.below(4) {
+            0 => Gathered::Targets { payload, fill_bits },
+            1 => Gathered::ToSend {
+                destination: (random.below(2) == 0).then_some(1),
+                number: random.below(80) as u8,
+                payload,
+                fill_bits,
+            },
+            _ => Gathered::Radio { payload, fill_bits },
+        });
+    }
+}
+
+/// The message that the last of some bodies completes.
+fn last(bodies: &[&str]) -> Option<Gathered> {
+    let mut gatherer = Gatherer::new();
+    let mut last = None;
+    for body in bodies {
+        last = gatherer.push(Stamp(0), &decode(with_checksum(body).as_bytes()));
+    }
+    last
+}
+
+#[test]
+fn parts_are_joined_only_where_they_belong_together() {
+    let whole = |bodies: &[&str]| last(bodies).map(|gathered| gathered.payload().0.into());
+    let is = |payload: &str| Some(String::from(payload));
+    assert_eq!(
+        whole(&["!AIVDM,2,1,3,A,55,0", "!AIVDM,2,2,3,A,66,2"]),
+        is("5566")
+    );
+    // An empty last part, a null channel.
+    assert_eq!(
+        whole(&["!AIVDM,2,1,3,A,55,0", "!AIVDM,2,2,3,A,,0"]),
+        is("55")
+    );
+    assert_eq!(
+        whole(&["!AIVDO,2,1,3,,55,0", "!AIVDO,2,2,3,,66,0"]),
+        is("5566")
+    );
+    // Another channel, another talker, a part that is missing, a count of 0, part 3 of 2.
+    assert_eq!(whole(&["!AIVDM,2,1,3,A,55,0", "!AIVDM,2,2,3,B,66,2"]), None);
+    assert_eq!(whole(&["!AIVDM,2,1,3,A,55,0", "!BSVDM,2,2,3,A,66,2"]), None);
+    assert_eq!(whole(&["!AIVDM,3,1,3,A,55,0", "!AIVDM,3,3,3,A,66,2"]), None);
+    assert_eq!(whole(&["!AIVDM,0,0,3,A,55,0"]), None);
+    assert_eq!(whole(&["!AIVDM,2,1,3,A,55,0", "!AIVDM,2,3,3,A,66,2"]), None);
+    // Two messages at once.
+    let both = [
+        "!AIVDM,2,1,3,A,55,0",
+        "!AIVDM,2,1,4,A,77,0",
+        "!AIVDM,2,2,3,A,66,2",
+        "!AIVDM,2,2,4,A,88,0",
+    ];
+    assert_eq!(whole(&both[..3]), is("5566"));
+    assert_eq!(whole(&both), is("7788"));
+    // Addresses stand in the first part only.
+    let addressed = last(&["!AIABM,2,1,1,351809000,0,12,4hh,0", "!AIABM,2,2,1,,,,hh4,2"]);
+    let expected = Gathered::ToSend {
+        destination: Some(351_809_000),
+        number: 12,
+        payload: "4hhhh4".into(),
+        fill_bits: 2,
+    };
+    assert_eq!(addressed, Some(expected));
+    // The numbers of a TTD are hexadecimal.
+    let parts: Vec<String> = (1..=10)
+        .map(|n| alloc::format!("!RATTD,0A,{n:02X},1,0,0"))
+        .collect();
+    let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
+    assert_eq!(whole(&parts), is("0000000000"));
+}
+
+#[test]
+fn a_wrong_checksum_gives_no_message() {
+    let mut gatherer = Gatherer::new();
+    let mut push = |line: &str| gatherer.push(Stamp(0), &decode(line.as_bytes())).is_some();
+    assert!(push("!AIVDM,1,1,,A,15RTgt0PAso;90TKcjM8h6g208CQ,0*4A"));
+    assert!(push("!AIVDM,1,1,,A,15RTgt0PAso;90TKcjM8h6g208CQ,0"));
+    assert!(!push("!AIVDM,1,1,,A,15RTgt0PAso;90TKcjM8h6g208CQ,0*4B"));
+    assert!(!push("$HEHDT,216.8,T*22"));
+}
+
+#[test]
+fn what_is_wrong_is_named_and_the_rest_stays() {
+    let check = |payload: &str, fill_bits: u32, expect: &str| {
+        let message = RadioMessage::decode(payload.as_bytes(), fill_bits);
+        let faults: Vec<String> = message
+            .faults()
+            .iter()
+            .map(|fault| alloc::format!("{fault}"))
+            .collect();
+        assert_eq!(faults, [expect], "{payload}");
+        assert_eq!(message.payload(), payload.as_bytes());
+        Draft::of(&message)
+    };
+    let draft = check(
+        "15RTgt0PAso;90TKcjM8h6 g208CQ",
+        0,
+        "character 23 (0x20) is not six-bit armour",
+    );
+    assert_eq!(draft.set("speed_over_ground", 0), Input::Number(12.3));
+    let draft = check(
+        "15RTgt0PAso;90TKcjM8h6g208CQ",
+        6,
+        "6 fill bits, there are 0 to 5",
+    );
+    assert_eq!(draft.set("mmsi", 0), Input::from(371_798_000));
+    check("", 0, "no data");
+    check("0", 0, "no message type 0");
+    check("w", 0, "no message type 63");
+    check(
+        "15RTgt0PAso;90TKcjM8h6g2",
+        0,
+        "144 bits, there should be at least 168",
+    );
+    check(
+        "15RTgt0PAso;90TKcjM8h6g208CQ0",
+        0,
+        "174 bits, there should be at most 168",
+    );
+    let long = "8".repeat(400);
+    check(&long, 0, "2400 bits, there should be at most 1008");
+    // Latitude 95.
+    let bad = Draft::new(1).with("latitude", 95.0).payload().unwrap_err();
+    assert_eq!(
+        alloc::format!("{bad}"),
+        "latitude: a value that is not allowed"
+    );
+}
