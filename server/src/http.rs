@@ -3,7 +3,7 @@
 use crate::control::Control;
 use crate::feed::{Feed, encode};
 use crate::guard::{self, Ends, Hosts, Origin};
-use crate::page;
+use crate::page::{self, Bundle};
 use crate::ws::{self, Rights, Source};
 use axum::body::Body;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
@@ -44,6 +44,8 @@ pub struct Site {
     pub simulated: bool,
     /// Opened to the network for reading (`--lan`).
     pub lan: bool,
+    /// The files of the page.
+    pub page: Bundle,
 }
 
 impl Site {
@@ -211,12 +213,13 @@ async fn socket(
     ws::limit(upgrade).on_upgrade(move |socket| ws::serve(socket, source))
 }
 
-async fn file(request: Request) -> Response<Body> {
+async fn file(State(site): State<Arc<Site>>, request: Request) -> Response<Body> {
     let method = request.method();
     if method != Method::GET && method != Method::HEAD {
         return page::plain(StatusCode::METHOD_NOT_ALLOWED, "read only\n");
     }
     page::answer(
+        site.page,
         request.uri().path(),
         request.headers(),
         method == Method::GET,

@@ -57,6 +57,8 @@ pub struct Options {
     pub record: Option<PathBuf>,
     /// Where settings are kept over a restart.
     pub settings: Option<PathBuf>,
+    /// The files of the page; none: a page that says that there is none.
+    pub page: Option<page::Bundle>,
 }
 
 /// A server that runs.
@@ -158,6 +160,7 @@ pub async fn serve(mut options: Options) -> Result<Running, Error> {
         stop: stopped.clone(),
         simulated,
         lan: options.lan,
+        page: options.page.unwrap_or(page::no_bundle),
     });
     let accepting = tokio::spawn(http::accept(listener, http::router(site), stopped));
     Ok(Running {

@@ -1,5 +1,7 @@
 //! The `wheelover` program: reads the command line and calls the library.
 
+mod bundle;
+
 use std::io::{ErrorKind, Write};
 use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
@@ -86,6 +88,7 @@ fn main_job(options: args::Serve) -> Result<i32, Error> {
         speed: options.speed,
         record: options.record,
         settings: options.config.as_deref().map(persist::beside),
+        page: Some(bundle::file),
     };
     runtime.block_on(async {
         let running = serve(asked).await?;

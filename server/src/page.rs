@@ -1,15 +1,19 @@
-//! The page: the bundle embedded in the program, sent compressed and cached by its names.
+//! The page: the files of the bundle, sent compressed and cached by their names.
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderMap, HeaderValue};
 use axum::http::{Response, StatusCode};
-use rust_embed::RustEmbed;
+use rust_embed::EmbeddedFile;
 use std::borrow::Cow;
 
-#[derive(RustEmbed)]
-#[folder = "../web/dist"]
-#[allow_missing = true]
-struct Bundle;
+/// Gives a file of the page by its name. The program brings it, so that this library is built without waiting for the page.
+pub type Bundle = fn(&str) -> Option<EmbeddedFile>;
+
+/// A bundle without any file.
+#[must_use]
+pub fn no_bundle(_: &str) -> Option<EmbeddedFile> {
+    None
+}
 
 const WITHOUT_BUNDLE: &str = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Wheelover</title>\n\
 <h1>Wheelover</h1>\n<p>The server runs, but it was built without the page.</p>\n\
@@ -20,7 +24,7 @@ const PACKINGS: [(&str, &str); 2] = [("br", ".br"), ("gzip", ".gz")];
 
 /// Answers a request for a file of the page; the head only where `body` is false.
 #[must_use]
-pub fn answer(path: &str, asked: &HeaderMap, body: bool) -> Response<Body> {
+pub fn answer(bundle: Bundle, path: &str, asked: &HeaderMap, body: bool) -> Response<Body> {
     let path = path.trim_start_matches('/');
     let packed = PACKINGS.iter().any(|(_, end)| path.ends_with(end));
     let name = match path {
@@ -32,8 +36,8 @@ pub fn answer(path: &str, asked: &HeaderMap, body: bool) -> Response<Body> {
     if packed {
         return plain(StatusCode::NOT_FOUND, "no such page\n");
     }
-    let Some((file, packing)) = find(name, asked) else {
-        if name == "index.html" && Bundle::get("index.html").is_none() {
+    let Some((file, packing)) = find(bundle, name, asked) else {
+        if name == "index.html" && bundle("index.html").is_none() {
             return without_bundle(body);
         }
         return plain(StatusCode::NOT_FOUND, "no such page\n");
@@ -95,15 +99,19 @@ fn without_bundle(body: bool) -> Response<Body> {
     answer
 }
 
-fn find(name: &str, asked: &HeaderMap) -> Option<(rust_embed::EmbeddedFile, Option<&'static str>)> {
+fn find(
+    bundle: Bundle,
+    name: &str,
+    asked: &HeaderMap,
+) -> Option<(EmbeddedFile, Option<&'static str>)> {
     for (packing, end) in PACKINGS {
         if accepts(asked, packing)
-            && let Some(file) = Bundle::get(&format!("{name}{end}"))
+            && let Some(file) = bundle(&format!("{name}{end}"))
         {
             return Some((file, Some(packing)));
         }
     }
-    Bundle::get(name).map(|file| (file, None))
+    bundle(name).map(|file| (file, None))
 }
 
 /// Whether the client takes a packing: named, and not with a weight of nought.

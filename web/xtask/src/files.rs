@@ -2,31 +2,41 @@
 
 use crate::shell::{Failure, Outcome};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Reads a text.
 pub(crate) fn text(path: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
 }
 
-/// Writes a file and, where it pays, its compressed forms beside it (`.br`, `.gz`).
-pub(crate) fn write(path: &Path, content: &[u8], compression: Compression) -> Outcome {
-    put(path, content)?;
-    let name = path.to_string_lossy();
-    if name.ends_with(".png") {
-        return Ok(());
-    }
-    put(
-        Path::new(&format!("{name}.br")),
-        &brotli(content, compression)?,
-    )?;
-    put(
-        Path::new(&format!("{name}.gz")),
-        &gzip(content, compression)?,
-    )
+/// Writes the compressed forms of files beside them (`.br`, `.gz`), on all cores.
+///
+/// # Errors
+/// A file cannot be read or written.
+pub(crate) fn pack(paths: &[PathBuf], compression: Compression) -> Outcome {
+    let next = AtomicUsize::new(0);
+    let work = || -> Outcome {
+        while let Some(path) = paths.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let content = std::fs::read(path).map_err(|error| Failure::file(path, &error))?;
+            let beside = |end: &str| PathBuf::from(format!("{}{end}", path.display()));
+            write(&beside(".br"), &brotli(&content, compression)?)?;
+            write(&beside(".gz"), &gzip(&content, compression)?)?;
+        }
+        Ok(())
+    };
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        let lost = |_| Err(Failure::new("a compression was lost"));
+        workers
+            .into_iter()
+            .try_for_each(|worker| worker.join().unwrap_or_else(lost))
+    })
 }
 
-fn put(path: &Path, content: &[u8]) -> Outcome {
+/// Writes a file; makes its folder where that is missing.
+pub(crate) fn write(path: &Path, content: &[u8]) -> Outcome {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, &error))?;
     }

@@ -1,7 +1,7 @@
 //! `serve`: the page, the server, and the server's run.
 
 use crate::bundle;
-use crate::shell::{Outcome, cargo, run, step};
+use crate::shell::{Failure, Outcome, cargo, run, step};
 use std::process::Command;
 
 /// Builds the page and the server and runs `wheelover ARGS`.
@@ -9,8 +9,17 @@ use std::process::Command;
 /// # Errors
 /// Something does not build, or the server ends with an error.
 pub(crate) fn serve(release: bool, arguments: &[String]) -> Outcome {
+    // The server's library does not wait for the page; only the program embeds it.
+    let mut library = server("build", release);
+    library.args(["--lib", "--quiet"]);
+    let library = std::thread::spawn(move || run(&mut library));
     bundle::build(release)?;
-    step("server", || run(&mut server("build", release)))?;
+    step("server", || {
+        library
+            .join()
+            .unwrap_or_else(|_| Err(Failure::new("the server's build was lost")))?;
+        run(&mut server("build", release))
+    })?;
     run(server("run", release).arg("--").args(arguments))
 }
 

@@ -69,7 +69,7 @@ pub(crate) fn test() -> Outcome {
             "wheelover-tests",
         ]))
     })?;
-    bundle::build(true)?;
+    bundle::build_within_budget()?;
     step("server", || run(&mut server("build", false)))?;
     step("tests in wasm", wasm_tests)?;
     step("integration and browser tests", || {

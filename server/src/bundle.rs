@@ -1,0 +1,13 @@
+//! The page's bundle, embedded in the program; a development build reads it from the folder.
+
+use rust_embed::{EmbeddedFile, RustEmbed};
+
+#[derive(RustEmbed)]
+#[folder = "../web/dist"]
+#[allow_missing = true]
+struct Dist;
+
+/// A file of the page; none where the program was built without it.
+pub(crate) fn file(name: &str) -> Option<EmbeddedFile> {
+    Dist::get(name)
+}
