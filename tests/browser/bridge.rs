@@ -1,6 +1,7 @@
 //! The bridge view of the embedded voyage: what it shows is what the lines say, and its buttons work.
 
 use std::time::{Duration, Instant};
+use wheelover_core::alerts::State;
 use wheelover_core::nmea::{self, Hdt, Htc, Pney2, Xte};
 use wheelover_core::station::Direction;
 use wheelover_core::stream::{Do, FaultKind, ModeName};
@@ -131,6 +132,8 @@ async fn a_silenced_chart_brings_track_fail_and_it_is_acknowledged() {
     })
     .await;
     page.command(Do::Speed(1.0)).await;
+    // Nobody but this page may acknowledge.
+    assert!(page.command(Do::Officer(false)).await.ok);
     page.follow(Duration::from_secs(2)).await;
     let from = page.lines.len();
     browser.press("fault-chart-silent").await;
@@ -160,11 +163,15 @@ async fn a_silenced_chart_brings_track_fail_and_it_is_acknowledged() {
         )
         .await;
     assert!(!browser.alert(101).await.is_empty());
+    page.follow(Duration::from_secs(10)).await;
+    assert_eq!(state(&page, 101), Some(State::Unacknowledged));
     browser.press("acknowledge").await;
-    let taken = "const e = document.querySelector('[data-alert=\"101\"]'); return !e || e.dataset.state !== 'unacknowledged';";
+    let taken = "const e = document.querySelector('[data-alert=\"101\"]'); return !!e && e.dataset.state === 'acknowledged';";
     browser
         .until("the acknowledgement on the page", LONG, taken)
         .await;
+    page.follow(Duration::from_secs(1)).await;
+    assert_eq!(state(&page, 101), Some(State::Acknowledged));
     let fault = Do::Fault {
         cable: "ecdis".into(),
         kind: FaultKind::Silent,
@@ -173,6 +180,14 @@ async fn a_silenced_chart_brings_track_fail_and_it_is_acknowledged() {
     assert!(page.command(fault).await.ok);
     assert_eq!(browser.errors(), [] as [String; 0]);
     browser.close().await;
+}
+
+fn state(page: &Page, number: u16) -> Option<State> {
+    let alerts = &page.snapshot.as_ref()?.alerts;
+    alerts
+        .iter()
+        .find(|alert| alert.number == number)
+        .map(|alert| alert.state)
 }
 
 fn alert(page: &Page, number: u16) -> Option<u64> {
