@@ -284,10 +284,10 @@ fn count_fault(definition: &Definition, fields: &FieldList<'_>, faults: &mut Vec
     let found = fields.len();
     let (accepted, expected) = match &definition.group {
         None => (
-            definition
-                .lengths
-                .iter()
-                .any(|&length| usize::from(length) == found),
+            definition.lengths.iter().any(|&length| {
+                let length = usize::from(length);
+                length == found || (length + 1 == found && fields.at(length).is_empty())
+            }),
             definition
                 .lengths
                 .iter()
@@ -299,10 +299,16 @@ fn count_fault(definition: &Definition, fields: &FieldList<'_>, faults: &mut Vec
             let tail = definition.tail_width();
             let fixed = definition.fixed_width();
             let entries = group_count(definition, fields);
-            let expected = fixed + entries * group.width();
+            let mut expected = fixed + entries * group.width();
             let whole = match group.repeat {
                 Repeat::Counted(at) => super::Decimal::parse(fields.at(usize::from(at)))
-                    .is_none_or(|count| count.value() as usize == entries),
+                    .is_none_or(|count| {
+                        let said = count.value() as usize;
+                        if said != entries {
+                            expected = fixed + said.min(99) * group.width();
+                        }
+                        said == entries
+                    }),
                 Repeat::Open => found.saturating_sub(fixed).is_multiple_of(group.width()),
                 Repeat::UpTo(_) => true,
             };

@@ -130,6 +130,7 @@ pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
             && let Some(field) = fields.get_mut(usize::from(n) - 1)
         {
             field.fault.get_or_insert(fault.kind);
+            field.meaning = None;
         }
     }
     Explanation {

@@ -64,6 +64,12 @@ impl Framer {
         self.state != State::Idle
     }
 
+    /// Bytes of memory that it keeps.
+    #[cfg(test)]
+    pub(crate) fn capacity(&self) -> usize {
+        self.held.capacity()
+    }
+
     /// Takes bytes as they come and gives each frame that they end.
     pub fn push(&mut self, bytes: &[u8], sink: &mut dyn FnMut(Frame<'_>)) {
         let mut rest = bytes;

@@ -18,14 +18,12 @@ pub(crate) fn read<'a>(
         Kind::Number(format) => number(fields, *format, at, faults),
         Kind::Lettered(format, letter) => {
             let value = number(fields, *format, at, faults);
-            check_letter(fields.at(at + 1), *letter, at + 1, faults);
-            value
+            lettered(value, fields.at(at + 1), *letter, at + 1, faults)
         }
         Kind::Sided(format, sides) => sided(fields, *format, *sides, at, faults),
         Kind::Crossed(format, sides, letter) => {
             let value = sided(fields, *format, *sides, at, faults);
-            check_letter(fields.at(at + 2), *letter, at + 2, faults);
-            value
+            lettered(value, fields.at(at + 2), *letter, at + 2, faults)
         }
         Kind::Code(letters) => match fields.at(at) {
             [] => Value::Null,
@@ -95,10 +93,20 @@ fn integer<'a>(
     }
 }
 
-fn check_letter(field: &[u8], letter: u8, at: usize, faults: &mut Vec<Fault>) {
-    if !field.is_empty() && field != [letter] {
-        fault(faults, at, FaultKind::WrongLetter(letter));
+/// A value and the letter of its unit or reference: with another letter it is not known what the value is.
+#[inline(always)]
+fn lettered<'a>(
+    value: Value<'a>,
+    field: &[u8],
+    letter: u8,
+    at: usize,
+    faults: &mut Vec<Fault>,
+) -> Value<'a> {
+    if field.is_empty() || field == [letter] {
+        return value;
     }
+    let invalid = fault(faults, at, FaultKind::WrongLetter(letter));
+    if value.is_null() { value } else { invalid }
 }
 
 #[inline(always)]

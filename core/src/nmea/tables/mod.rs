@@ -1,4 +1,4 @@
-//! The dictionary: every sentence in tables by subject, and how one is found.
+//! The dictionary: every sentence in tables by subject, and how one is found (SEN-7).
 
 use super::table::{Definition, SentenceText, key};
 

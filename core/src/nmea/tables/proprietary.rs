@@ -47,6 +47,7 @@ const HUNDREDTHS: Format = Format::new(Unit::Degrees, 0, 360, 1, 2);
 const DEADBAND_VALUE: Format = Format::new(Unit::None, 0, i32::MAX, 1, 0);
 const TRIM: Format = Format::new(Unit::Degrees, -i32::MAX, i32::MAX, 1, 2);
 
+// EMC-1: the numbers and forms of the document. EMC-4: what later firmware adds is understood, the document's forms are sent.
 sentences! {
     query = "Q" b'$' [1] "Query", "IEC 61162-1 query sentence" {
         formatter: text(3) "The sentence that is asked for.",

@@ -1,5 +1,9 @@
 //! Tests over the whole dictionary.
 
 mod framing;
+mod generate;
+mod hostile;
 mod random;
+mod sweep;
 mod views;
+mod wrong_field;
