@@ -5,7 +5,10 @@
 use crate::drawing::Drawing;
 use crate::format;
 use crate::heard::latin1;
+use crate::message;
+use wheelover_core::nmea::ais::Gatherer;
 use wheelover_core::nmea::{JsonField, JsonLine, JsonValue, decode, json_line};
+use wheelover_core::time::Stamp;
 
 /// At most so many lines of a text are explained at once.
 const SHOWN: usize = 100;
@@ -101,8 +104,13 @@ pub fn document(text: &str) -> String {
         drawing.say(format_args!("; the first {SHOWN} are explained"));
     }
     drawing.plain("\n");
+    let mut gatherer = Gatherer::new();
     for (number, line) in lines().take(SHOWN) {
         article(&mut drawing, &explain(number, line), None);
+        // One after the other, as fast as they were typed: no message waits too long for its rest.
+        if let Some(complete) = gatherer.push(Stamp(0), &decode(&latin1(line))) {
+            message::draw(&mut drawing, &complete);
+        }
     }
     drawing.markup()
 }
@@ -248,6 +256,13 @@ mod tests {
         let table = table(text, Some(3));
         assert!(table.contains("data-explained=\"3\""));
         assert!(table.contains("data-faults=\"1\""), "{table}");
+    }
+
+    #[test]
+    fn the_message_stands_under_the_line_that_completes_it() {
+        let text = document("!AIVDM,1,1,,A,15RTgt0PAso;90TKcjM8h6g208CQ,0*4A");
+        assert!(text.contains("data-message=\"1\""), "{text}");
+        assert!(text.contains("371798000") && text.contains("under way using engine"));
     }
 
     #[test]

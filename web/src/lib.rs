@@ -21,6 +21,7 @@ pub mod explained;
 pub mod format;
 pub mod gauge;
 pub mod heard;
+mod message;
 pub mod plan;
 pub mod reading;
 
