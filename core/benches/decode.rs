@@ -3,7 +3,9 @@
 //! `cargo bench -p wheelover-core --bench decode`; beside another crate: `tests/peers`.
 
 use std::hint::black_box;
+use wheelover_core::nmea::ais::{self, Gatherer, RadioMessage};
 use wheelover_core::nmea::{self, Framer, Values};
+use wheelover_core::time::Stamp;
 
 const LINES: &[&str] = &[
     "EIHTC,V,,,T,R,,,0.35,,,,280.0,T,C",
@@ -17,6 +19,22 @@ const LINES: &[&str] = &[
     "AGRSA,11.2,A,,V",
     "AGROR,14.0,A,,V,B",
     "HEHDT,216.8,T",
+];
+
+/// Types 1 to 5, 18, 21 and 24; two of twelve lines are parts.
+const RADIO: &[&str] = &[
+    "!AIVDM,1,1,,A,15RTgt0PAso;90TKcjM8h6g208CQ,0",
+    "!AIVDM,1,1,,A,16SteH0P00Jt63hHaa6SagvJ087r,0",
+    "!AIVDM,1,1,,B,25Cjtd0Oj;Jp7ilG7=UkKBoB0<06,0",
+    "!AIVDM,1,1,,A,38Id705000rRVJhE7cl9n;160000,0",
+    "!AIVDM,1,1,,A,403OviQuMGCqWrRO9>E6fE700@GO,0",
+    "!AIVDM,2,1,1,A,55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8,0",
+    "!AIVDM,2,2,1,A,88888888880,2",
+    "!AIVDM,1,1,,A,B52K>;h00Fc>jpUlNV@ikwpUoP06,0",
+    "!AIVDM,1,1,,B,B5O6hr00<veEKmUaMFdEow`UWP06,0",
+    "!AIVDM,1,1,,B,E>m1c1>9TV`9WW@97QUP0000000F@lEpmdceP00003b,0",
+    "!AIVDM,1,1,,A,H42O55i18tMET00000000000000,2",
+    "!AIVDM,1,1,,A,H42O55lti4hhhilD3nink000?050,0",
 ];
 
 /// Processor time of this thread in seconds, so that a busy machine does not count.
@@ -65,6 +83,40 @@ fn main() {
     });
     bench("json", &lines[..20_000], |line| {
         _ = black_box(nmea::json(1, None, line))
+    });
+    let radio: Vec<Vec<u8>> = (0..200_000)
+        .map(|i| nmea::with_checksum(RADIO[i % RADIO.len()]).into_bytes())
+        .collect();
+    let mut gatherer = Gatherer::new();
+    bench("ais", &radio, |line| {
+        let sentence = nmea::decode(line);
+        let mut sum = 0;
+        let mut add = |payload: &[u8], fill_bits| {
+            RadioMessage::decode(payload, fill_bits).walk(
+                |entry| {
+                    sum ^= match entry.value {
+                        ais::Value::Number(value) => value.to_bits(),
+                        ais::Value::Integer(value) => value as u64,
+                        ais::Value::Text(text) => text.chars().map(u64::from).sum(),
+                        _ => 1,
+                    }
+                },
+                &mut Vec::new(),
+            );
+        };
+        // A message of one line is read from it.
+        if sentence.fields.get(1) == b"1" && sentence.checksum.is_right() {
+            let fill_bits = sentence
+                .fields
+                .get(6)
+                .first()
+                .map_or(0, |digit| digit - b'0');
+            add(sentence.fields.get(5), fill_bits.into());
+        } else if let Some(gathered) = gatherer.push(Stamp(0), &sentence) {
+            let (payload, fill_bits) = gathered.payload();
+            add(payload.as_bytes(), fill_bits);
+        }
+        black_box(sum);
     });
     let mut out = Vec::new();
     bench("encode", &lines, |line| {

@@ -109,3 +109,8 @@ fn published_messages_encode_to_what_they_were() {
     }
     assert!(exact >= 20, "{exact} came back character for character");
 }
+
+#[test]
+fn tracked_targets_mean_what_their_layout_says() {
+    assert_eq!(check("targets.txt").len(), 6);
+}

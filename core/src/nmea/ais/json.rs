@@ -76,6 +76,9 @@ impl Serialize for Fields<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         fields(self.0, &mut map)?;
+        if let Some(source) = self.0.source() {
+            map.serialize_entry("source", source)?;
+        }
         map.end()
     }
 }

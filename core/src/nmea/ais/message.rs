@@ -156,6 +156,19 @@ impl<'p> RadioMessage<'p> {
         self.bits.len()
     }
 
+    /// Who tells of a target of TTD: `radar`, or `ais` where there is a place for a reported heading.
+    pub(super) fn source(&self) -> Option<&'static str> {
+        self.entries()
+            .iter()
+            .find(|entry| entry.name() == "heading")?;
+        // Behind version, number, bearing, speed and course.
+        Some(if self.bits.get(48, 12) == 4095 {
+            "radar"
+        } else {
+            "ais"
+        })
+    }
+
     /// Gives every field to `sink`, in the order of the message, and what is wrong to `faults`.
     #[inline]
     pub fn walk<'m>(&'m self, mut sink: impl FnMut(Entry<'m>), faults: &mut Vec<MessageFault>) {
