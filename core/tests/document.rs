@@ -31,3 +31,19 @@ fn every_sentence_of_the_four_documents_is_in_the_dictionary() {
         );
     }
 }
+
+#[test]
+fn every_formatter_of_the_edition_of_2024_is_in_the_dictionary() {
+    let wanted = "AAM ABK ABM ACA ACK ACN ACS AGL AIR AKD ALA ALC ALF ALR APB ARC BBM BEC BOD BWC BWR BWW CUR DBT DDC \
+        DOR DPT DSC DSE DTM EPM EPV ETL EVE FIR FSI GBS GDC GEN GFA GGA GLL GNS GRS GSA GST GSV HBT HCR HDG \
+        HDT HMR HMS HRM HSC HSS HTC HTD LR1 LR2 LR3 LRF LRI MOB MSK MSS MTW MWD MWV NAK NLS NRM NRX NSR OSD \
+        POS PRC RLM RMA RMB RMC ROR ROT RPM RRT RSA RSD RTE SEL SFI SLM SM1 SM2 SM3 SM4 SMB SMV SPW SSD STN \
+        THS TLB TLL TRC TRD TRL TTD TTM TUT TXT UID VBC VBW VDM VDO VDR VER VHW VLW VPW VSD VTG WAT WCV WNC \
+        WPL XDR XTE XTR ZDA ZDL ZFO ZTG";
+    let missing: Vec<&str> = wanted
+        .split_whitespace()
+        .filter(|formatter| !dictionary().iter().any(|d| d.formatter == *formatter))
+        .collect();
+    assert_eq!(missing, [""; 0]);
+    assert_eq!(wanted.split_whitespace().count(), 133);
+}

@@ -7,6 +7,11 @@ use crate::nmea::table::{Format, Unit};
 use serde::{Deserialize, Serialize};
 
 codes! {
+    /// Why an AIS station did not send.
+    SilenceReason {
+        PowerOff = b'1' "power off", Silent = b'2' "silent mode", Management = b'3' "switched off by channel management",
+        Malfunction = b'4' "equipment malfunction", Configuration = b'5' "invalid configuration",
+    }
     /// AIS channel.
     AisChannel {
         A = b'A' "channel A (87B)", B = b'B' "channel B (88B)", One = b'1' "channel A, by its number", Two = b'2' "channel B, by its number",
@@ -165,5 +170,15 @@ sentences! {
         destination: integer(MMSI) "Who is asked.",
         north_east: position(2) "North-east corner of the area.",
         south_west: position(2) "South-west corner of the area.",
+    }
+    trl = "TRL" b'$' [8] "AIS transmitter non-functioning log", "IEC 61162-1 TRL, as SwiftNMEA reads it" {
+        total: integer(whole(0, 99, 1)) "Number of entries; 0: none, and all else is null.",
+        number: integer(whole(1, 99, 1)) "Number of this entry.",
+        sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
+        off_date: text(8) "When it was switched off: date, ddmmyyyy.",
+        off_time: time() "When it was switched off: UTC.",
+        on_date: text(8) "When it was switched on: date, ddmmyyyy.",
+        on_time: time() "When it was switched on: UTC.",
+        reason: code(SilenceReason) "Why it was off.",
     }
 }

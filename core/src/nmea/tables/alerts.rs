@@ -101,4 +101,25 @@ sentences! {
         escalation: integer(whole(0, 9, 1)) "Escalation counter.",
         text: text(58) "Title in the first sentence, description in the second.",
     }
+    agl = "AGL" b'$' [] "Alert group list", "IEC 61162-1 AGL, as SwiftNMEA reads it" {
+        total: integer(whole(1, 99, 1)) "Number of sentences of this list.",
+        number: integer(whole(1, 99, 1)) "Number of this sentence.",
+        sequence: integer(whole(0, 99, 1)) "Identifier of the list.";
+        each Open() AglEntry entries {
+            source: text(6) "System function identifier of the source; null: who sends. The first entry is the head of the group.",
+            manufacturer: text(3) "Manufacturer of a proprietary alert.",
+            alert: integer(whole(0, 9_999_999, 1)) "Alert identifier.",
+            instance: integer(whole(0, 999_999, 1)) "Alert instance.",
+        }
+    }
+    akd = "AKD" b'$' [8] "Acknowledge detail alarm condition", "IEC 61162-1 AKD, as SwiftNMEA reads it" {
+        time: time() "Time of the acknowledgement.",
+        system: text(2) "System of the alarm source.",
+        subsystem: text(2) "Subsystem of the alarm source.",
+        instance: integer(whole(0, 99, 2)) "Instance of the alarm source.",
+        number: integer(whole(0, 999, 3)) "Number of the alarm.",
+        sender_system: text(2) "System that acknowledges.",
+        sender_subsystem: text(2) "Subsystem that acknowledges.",
+        sender_instance: integer(whole(0, 99, 2)) "Its instance.",
+    }
 }

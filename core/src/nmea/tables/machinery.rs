@@ -7,6 +7,25 @@ use crate::nmea::table::{Format, Unit};
 use serde::{Deserialize, Serialize};
 
 codes! {
+    /// State of a navigation light.
+    LightStatus {
+        NotInUse = b'0' "not in use", Off = b'1' "off", On = b'2' "on", Error = b'3' "error, reason unknown", ShortCircuit = b'4' "error, short circuit",
+        OpenCircuit = b'5' "error, open circuit", LowLuminosity = b'6' "error, low luminosity", OtherError = b'9' "error, other",
+    }
+    /// Whether a steering system is in control.
+    SteeringStatus { Passive = b'0' "not in control (passive)", Active = b'1' "in control (active)", Failed = b'2' "internal failure, cannot be in control" }
+    /// Where steering is done.
+    SteeringLocation {
+        Bridge = b'B' "bridge, centre", PortWing = b'P' "port wing", StarboardWing = b'S' "starboard wing", Aft = b'A' "aft bridge",
+        AftPortWing = b'X' "aft bridge, port wing", AftStarboardWing = b'Y' "aft bridge, starboard wing", Fly = b'F' "fly bridge",
+        EngineControlRoom = b'C' "engine control room", EngineSide = b'E' "engine side, local", Emergency = b'M' "emergency steering stand",
+        GearRoom = b'R' "steering gear room", Other = b'O' "other",
+    }
+    /// Mode of a steering system.
+    SteeringSystemMode {
+        Direct = b'D' "direct", Manual = b'M' "manual", Autopilot = b'A' "autopilot", DynamicPositioning = b'P' "dynamic positioning",
+        Joystick = b'J' "joystick", Emergency = b'E' "emergency",
+    }
     /// Source of a rotation.
     RotationSource { Shaft = b'S' "shaft", Engine = b'E' "engine" }
     /// Mode of a speed of rotation.
@@ -133,5 +152,33 @@ sentences! {
         width: number(METRES) "Width of the ship.",
         length: number(METRES) "Length of the ship.",
         status: code(CommandStatus) "Sentence status.",
+    }
+    epm = "EPM" b'$' [8] "Command or report long equipment property value", "IEC 61162-1 EPM, as SwiftNMEA reads it" {
+        total: integer(whole(1, 99, 1)) "Number of sentences of this value.",
+        number: integer(whole(1, 99, 1)) "Number of this sentence.",
+        sequence: integer(whole(0, 9, 1)) "Identifier that joins them.",
+        status: code(CommandStatus) "Sentence status.",
+        equipment: text(2) "Type of the destination equipment.",
+        identifier: text(15) "Its identifier.",
+        property: integer(whole(0, 999, 1)) "Property.",
+        value: text(60) "Its value, or a part of it.",
+    }
+    nls = "NLS" b'$' [] "Navigation light status", "IEC 61162-1 NLS, as SwiftNMEA reads it" {
+        total: integer(whole(1, 99, 1)) "Number of sentences of this message.",
+        number: integer(whole(1, 99, 1)) "Number of this sentence.",
+        sequence: integer(whole(0, 99, 1)) "Identifier that joins them.",
+        count: integer(whole(0, 99, 1)) "Lights in this sentence.";
+        each Counted(3) NlsLight lights {
+            light: integer(whole(1, 999, 1)) "Which light.",
+            status: code(LightStatus) "Its status.",
+            hours: integer(whole(0, 99, 1)) "Working hours that remain, in hundreds; 99: more than 9800.",
+        }
+    }
+    slm = "SLM" b'$' [5] "Steering location/mode", "IEC 61162-1 SLM, as SwiftNMEA reads it" {
+        status: code(SteeringStatus) "Whether the system is in control.",
+        location: code(SteeringLocation) "Where steering is done.",
+        description: text(30) "Description of another location.",
+        mode: code(SteeringSystemMode) "Mode.",
+        sub_mode: text(30) "Description of the mode.",
     }
 }

@@ -14,7 +14,7 @@ macro_rules! subjects {
 
 subjects! {
     steering, sensors, weather, position, route, alerts, ais, radar, machinery, communication,
-    proprietary
+    safety, proprietary
 }
 
 static ALL: [&Definition; COUNT] = {

@@ -176,4 +176,27 @@ sentences! {
             signal_id: hex(1) "Signal, since NMEA 4.10.",
         }
     }
+    gdc = "GDC" b'$' [10] "GNSS differential correction", "IEC 61162-1 GDC, as SwiftNMEA reads it" {
+        total: integer(whole(1, 99, 1)) "Number of sentences of this message.",
+        number: integer(whole(1, 99, 1)) "Number of this sentence.",
+        satellites: integer(whole(0, 99, 1)) "Satellites with a correction.",
+        satellite: integer(whole(1, 999, 1)) "Satellite; its system is the talker.",
+        correction: number(METRES) "Correction of the range.",
+        issue: integer(whole(0, 999, 1)) "Issue of the data.",
+        epoch: integer(whole(0, 604_800, 1)) "Time of the ephemeris, seconds.",
+        z_count: number(SECONDS) "Modified Z-count.",
+        range_error: number(METRES) "User differential range error.",
+        signal: hex(1) "Signal.",
+    }
+    gfa = "GFA" b'$' [9] "GNSS fix accuracy and integrity", "IEC 61162-1 GFA, as SwiftNMEA reads it" {
+        time: time() "UTC of the position.",
+        horizontal_limit: number(METRES) "Horizontal protection level.",
+        vertical_limit: number(METRES) "Vertical protection level.",
+        major: number(METRES) "Semi-major axis of the error ellipse, standard deviation.",
+        minor: number(METRES) "Semi-minor axis of the error ellipse, standard deviation.",
+        orientation: number(DIRECTION) "Orientation of the semi-major axis.",
+        altitude_error: number(METRES) "Standard deviation of the altitude.",
+        accuracy: number(METRES) "Selected accuracy level.",
+        integrity: text(3) "A letter each for RAIM, SBAS and Galileo: V not in use, S safe, C caution, U unsafe.",
+    }
 }

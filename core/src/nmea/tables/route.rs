@@ -7,6 +7,20 @@ use crate::nmea::table::{Format, Unit};
 use serde::{Deserialize, Serialize};
 
 codes! {
+    /// Which route is transferred.
+    TransferKind { Monitored = b'M' "monitored route", Alternate = b'A' "alternate route for editing", Query = b'Q' "query for any route" }
+    /// Reception of a route file.
+    TransferFile { Received = b'A' "received", Error = b'E' "error in the reception" }
+    /// What became of a transferred route.
+    TransferApplication {
+        Accepted = b'A' "accepted and valid", Rejected = b'V' "rejected", Pending = b'P' "not yet evaluated", NotApplicable = b'N' "not applicable",
+    }
+    /// Result of an integrity check.
+    Integrity { Passed = b'P' "passed", Failed = b'F' "failed", Doubtful = b'D' "doubtful, no check possible", NotAvailable = b'N' "not available" }
+    /// Result of a plausibility check.
+    Plausibility { Plausible = b'A' "plausible", NotPlausible = b'V' "not plausible", NotAvailable = b'N' "not available" }
+    /// How a speed through water is known.
+    WaterSpeedMode { Measured = b'W' "measured, water reference", Estimated = b'E' "estimated from other sources", Manual = b'M' "manual input", NotAvailable = b'N' "not available" }
     /// What an RTE lists.
     RouteMode { Complete = b'c' "complete route", Working = b'w' "working route" }
     /// Kind of a variable point.
@@ -124,5 +138,34 @@ sentences! {
         time: time() "UTC of the observation.",
         remaining: text(9) "Time to the destination, hhmmss.ss.",
         destination: text(20) "Destination waypoint.",
+    }
+    rrt = "RRT" b'$' [6] "Report route transfer", "IEC 61162-1 RRT, as SwiftNMEA reads it" {
+        kind: code(TransferKind) "Which route.",
+        name: text(40) "Name of the route.",
+        version: text(20) "Version of the route.",
+        waypoint: text(20) "Present waypoint.",
+        file: code(TransferFile) "Whether the file came.",
+        application: code(TransferApplication) "What became of it.",
+    }
+    sel = "SEL" b'$' [] "Selection report", "IEC 61162-1 SEL, as SwiftNMEA reads it" {
+        ; each Open() SelSelection selections {
+            kind: text(3) "Kind of data, such as POS, HEA, SOG and TIM.",
+            source: text(6) "System function identifier of the sensor in use; null: who sends.",
+        }
+    }
+    nsr = "NSR" b'$' [13] "Navigation status report", "IEC 61162-1 NSR, as SwiftNMEA reads it" {
+        heading_integrity: code(Integrity) "Integrity of the heading.",
+        heading_plausibility: code(Plausibility) "Plausibility of the heading.",
+        position_integrity: code(Integrity) "Integrity of the position.",
+        position_plausibility: code(Plausibility) "Plausibility of the position.",
+        water_speed_integrity: code(Integrity) "Integrity of the speed through water.",
+        water_speed_plausibility: code(Plausibility) "Plausibility of the speed through water.",
+        ground_speed_integrity: code(Integrity) "Integrity of speed and course over ground.",
+        ground_speed_plausibility: code(Plausibility) "Plausibility of speed and course over ground.",
+        depth_integrity: code(Integrity) "Integrity of the depth.",
+        depth_plausibility: code(Plausibility) "Plausibility of the depth.",
+        water_speed_mode: code(WaterSpeedMode) "How the speed through water is known.",
+        time_integrity: code(Integrity) "Integrity of the time.",
+        time_plausibility: code(Plausibility) "Plausibility of the time.",
     }
 }

@@ -122,4 +122,16 @@ sentences! {
             name: text(30) "Name of the transducer, such as HEEL.",
         }
     }
+    vbc = "VBC" b'$' [10] "Water-referenced and ground-referenced docking speed data", "IEC 61162-1 VBC, as SwiftNMEA reads it" {
+        water_longitudinal: number(SPEED_THROUGH) "Longitudinal water speed, negative astern.",
+        water_bow: number(SPEED_THROUGH) "Transverse water speed at the bow, negative to port.",
+        water_transverse: number(SPEED_THROUGH) "Transverse water speed, negative to port.",
+        water_stern: number(SPEED_THROUGH) "Transverse water speed at the stern, negative to port.",
+        water_status: code(DataStatus) "Status of the water speeds.",
+        ground_longitudinal: number(SPEED_THROUGH) "Longitudinal ground speed, negative astern.",
+        ground_bow: number(SPEED_THROUGH) "Transverse ground speed at the bow, negative to port.",
+        ground_transverse: number(SPEED_THROUGH) "Transverse ground speed, negative to port.",
+        ground_stern: number(SPEED_THROUGH) "Transverse ground speed at the stern, negative to port.",
+        ground_status: code(DataStatus) "Status of the ground speeds.",
+    }
 }
