@@ -3,9 +3,11 @@
 //! **Invariant:** no answer but 421 goes to a request whose `Host` is not one of ours (FE3), and no
 //! WebSocket is opened for a page from elsewhere (FE2).
 
+use axum::Router;
 use axum::http::header::{self, HeaderName};
 use axum::http::{HeaderMap, HeaderValue, Request};
 use std::net::{IpAddr, SocketAddr};
+use tower_http::set_header::SetResponseHeaderLayer;
 
 /// The content security policy, the same for every answer.
 pub const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
@@ -105,8 +107,8 @@ pub fn origin(headers: &HeaderMap, host: &str) -> Origin {
     }
 }
 
-/// Puts the headers of safety on an answer.
-pub fn harden(headers: &mut HeaderMap) {
+/// Puts the headers of safety on every answer.
+pub fn harden(router: Router) -> Router {
     let fixed = [
         (header::CONTENT_SECURITY_POLICY, POLICY),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
@@ -120,9 +122,12 @@ pub fn harden(headers: &mut HeaderMap) {
             "same-origin",
         ),
     ];
-    for (name, value) in fixed {
-        headers.insert(name, HeaderValue::from_static(value));
-    }
+    fixed.into_iter().fold(router, |router, (name, value)| {
+        router.layer(SetResponseHeaderLayer::overriding(
+            name,
+            HeaderValue::from_static(value),
+        ))
+    })
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{Semaphore, watch};
+use tower_http::catch_panic::CatchPanicLayer;
 use wheelover_core::stream::Down;
 
 /// A request whose head takes longer than this is closed (FC12).
@@ -63,14 +64,15 @@ impl Site {
 
 /// The addresses that are answered.
 pub fn router(site: Arc<Site>) -> Router {
-    Router::new()
+    let router = Router::new()
         .route("/healthz", get(healthz))
         .route("/api/hello", get(hello))
         .route("/api/route", get(route))
         .route("/ws", get(socket))
         .fallback(file)
         .layer(middleware::from_fn_with_state(site.clone(), check))
-        .with_state(site)
+        .with_state(site);
+    guard::harden(router).layer(CatchPanicLayer::new())
 }
 
 /// Serves connections until `stop` is raised.
@@ -131,7 +133,7 @@ async fn connection(
     }
 }
 
-/// Host first, headers of safety last, on every answer.
+/// The host first: another name than ours is not answered.
 async fn check(State(site): State<Arc<Site>>, request: Request, next: Next) -> Response<Body> {
     let local = request
         .extensions()
@@ -141,15 +143,13 @@ async fn check(State(site): State<Arc<Site>>, request: Request, next: Next) -> R
         (Some(host), Some(local)) => site.hosts.allow(host, local),
         _ => false,
     };
-    let mut answer = if ours {
+    if ours {
         next.run(request).await
     } else {
         let mut answer = Response::new(Body::empty());
         *answer.status_mut() = StatusCode::MISDIRECTED_REQUEST;
         answer
-    };
-    guard::harden(answer.headers_mut());
-    answer
+    }
 }
 
 async fn healthz(State(site): State<Arc<Site>>) -> Response<Body> {
