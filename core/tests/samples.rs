@@ -1,4 +1,5 @@
-//! Samples with meanings written by hand from the sources: value, unit, meaning, faults, hints and encoding (SEN-7, EMC-1, EMC-4).
+//! Samples with meanings written by hand from the sources: value, unit, meaning, faults, hints and encoding
+//! (SEN-3, SEN-5 to SEN-9; EMC-1, EMC-3, EMC-4).
 
 use std::fs;
 use std::path::PathBuf;

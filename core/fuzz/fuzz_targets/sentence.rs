@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use wheelover_core::nmea::{decode, encode, explain, steering};
+use wheelover_core::nmea::{decode, encode, json, steering};
 
 /// The body with the right checksum.
 fn repaired(body: &[u8]) -> Vec<u8> {
@@ -27,7 +27,7 @@ fuzz_target!(|body: &[u8]| {
                 .is_none_or(|n| n >= 1 && usize::from(n) <= count)
         );
     }
-    let _ = (steering(&sentence, true), explain::json(1, None, &line));
+    let _ = (steering(&sentence, true), json(1, None, &line));
     let again = encode(&sentence).map(|text| text.chars().map(|c| c as u8).collect::<Vec<u8>>());
     if let Some(once) = again {
         let twice = encode(&decode(&once));

@@ -71,6 +71,19 @@ const MOST_PARTS: u32 = 99;
 const OLDEST_MS: u64 = 10_000;
 
 /// Joins the sentences of one port.
+///
+/// ```
+/// use wheelover_core::nmea::{decode, with_checksum, Assembler, Message};
+/// use wheelover_core::time::Stamp;
+/// let mut assembler = Assembler::new();
+/// let mut message = None;
+/// for body in ["GPRTE,2,1,c,HOME,WP1,WP2", "GPRTE,2,2,c,HOME,WP3"] {
+///     let line = with_checksum(body);
+///     message = assembler.push(Stamp(0), &decode(line.as_bytes()));
+/// }
+/// let Some(Message::Route { waypoints, .. }) = message else { panic!("a route") };
+/// assert_eq!(waypoints, ["WP1", "WP2", "WP3"]);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Assembler {
     open: Vec<Open>,

@@ -288,7 +288,16 @@ fn decimal(format: Format, cell: Cell<'_>) -> Option<Decimal> {
     }
 }
 
-/// The typed values of a sentence, ready to be written again.
+/// The typed values of a sentence, ready to be written again as often as wanted.
+///
+/// ```
+/// use wheelover_core::nmea::{decode, Values};
+/// let sentence = decode(b"$HEHDT,216.80,T*12");
+/// let values = Values::of(&sentence).expect("a known sentence");
+/// let mut port = Vec::new();
+/// values.write(&mut port);
+/// assert_eq!(port, b"$HEHDT,216.80,T*12");
+/// ```
 #[derive(Clone, Debug)]
 pub struct Values<'a> {
     definition: &'static Definition,
@@ -374,6 +383,14 @@ impl<'a> Values<'a> {
 /// Encodes the values of a decoded sentence again, with as many fields as it had.
 ///
 /// A canonical line comes back byte for byte; faulty fields come back empty. None where the formatter is unknown.
+///
+/// ```
+/// use wheelover_core::nmea::{decode, encode};
+/// let line = "$AGRSA,03.2,A,,V*4E";
+/// assert_eq!(encode(&decode(line.as_bytes())).as_deref(), Some(line));
+/// // Another checksum, another field: what is wrong is left out.
+/// assert_eq!(encode(&decode(b"$AGRSA,wrong,A,,V*00")).as_deref(), Some("$AGRSA,,A,,V*51"));
+/// ```
 #[must_use]
 pub fn encode(sentence: &Sentence<'_>) -> Option<String> {
     let mut out = Vec::with_capacity(96);

@@ -1,7 +1,6 @@
 //! Explanation: the table walked beside the raw fields, each with name, value, unit, meaning and use.
 
 pub use super::document::document;
-pub use super::json::{json, json_line};
 
 use super::explain_text::{compass, side_meaning, unit_meaning};
 use super::explain_units::name_units;
@@ -94,6 +93,18 @@ const NOTHING: MemberText = MemberText {
 };
 
 /// Explains a sentence field by field; an unknown one gives its raw fields.
+///
+/// ```
+/// use wheelover_core::nmea::{decode, explain};
+/// let sentence = decode(b"$EIXTE,A,A,0.015,R,N,A*32");
+/// let explanation = explain(&sentence);
+/// let side = &explanation.fields[3];
+/// assert_eq!(side.name.to_string(), "cross_track_side");
+/// assert_eq!(side.meaning, Some("steer to starboard: the ship is left of the track"));
+/// // Left of the track is negative.
+/// assert_eq!(explanation.fields[2].value.to_string(), "-0.015");
+/// assert_eq!(explanation.fields[2].unit, Some("nm"));
+/// ```
 #[must_use]
 pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
     let texts = sentence.known.and_then(text);

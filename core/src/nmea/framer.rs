@@ -43,7 +43,20 @@ enum State {
     Garbage,
 }
 
-/// Cuts a stream into frames. Holds at most 512 bytes.
+/// Cuts a stream into frames. Holds at most 512 bytes (FB5).
+///
+/// ```
+/// use wheelover_core::nmea::{FrameKind, Framer};
+/// let mut framer = Framer::new();
+/// let mut seen = Vec::new();
+/// framer.push(b"noise$HEHDT,216.8,T*22\r\n$HEROT,", &mut |frame| {
+///     seen.push((frame.kind, frame.length));
+/// });
+/// assert_eq!(seen, [(FrameKind::Garbage, 5), (FrameKind::Sentence, 17)]);
+/// // The rest waits for its end, or for the caller's patience.
+/// assert!(framer.pending());
+/// framer.flush(&mut |frame| assert_eq!(frame.text, b"$HEROT,"));
+/// ```
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Framer {
     state: State,

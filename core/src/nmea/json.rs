@@ -99,6 +99,16 @@ pub struct JsonFault {
 }
 
 /// Explains a line that was already decoded.
+///
+/// ```
+/// use wheelover_core::nmea::{decode, json_line, JsonValue};
+/// let line = json_line(12, None, &decode(b"$HEHDT,361.0,T*2B"));
+/// assert_eq!(line.sentence, "HDT");
+/// assert_eq!(line.fields[0].value, JsonValue::Null);
+/// assert_eq!((line.faults[0].n, line.faults[0].kind), (Some(1), "out_of_range"));
+/// assert_eq!(line.faults[0].text, "not from 0 to 360");
+/// assert!(line.text().starts_with(r#"{"line":12,"at":null,"raw":"$HEHDT,361.0,T*2B""#));
+/// ```
 #[must_use]
 pub fn json_line(line: u64, at: Option<f64>, sentence: &Sentence<'_>) -> JsonLine {
     let explanation = explain(sentence);

@@ -3,11 +3,41 @@
 //! In go bytes, out come sentences with values and faults. One table entry makes decoder, encoder,
 //! explanation and, where code needs it, a typed view.
 //!
+//! | from | to | with |
+//! |---|---|---|
+//! | bytes of a port | lines | [`Framer`] |
+//! | a line | a sentence with raw fields, checksum, faults | [`decode`] |
+//! | a sentence | a typed view | `from_sentence` of [`Htc`], [`Rmc`] and the others |
+//! | a sentence | every member with its exact value | [`Sentence::walk`], [`Sentence::member`] |
+//! | a sentence | names, units, meanings, hints | [`explain()`], [`hints()`], [`json_line`] |
+//! | sentences of one message | the message | [`Assembler`] |
+//! | a typed view | a line | its `line` |
+//! | a sentence | the same line | [`encode`], [`Values`] |
+//! | an HTC | a command, or why not | [`steering`] |
+//!
+//! ```
+//! use wheelover_core::nmea::{decode, Framer, Hdt, Rot};
+//! let mut framer = Framer::new();
+//! let mut heading = None;
+//! // Bytes come in pieces as the port gives them.
+//! for piece in [b"$HEHDT,216".as_slice(), b".8,T*22\r\n$HEROT,-0"] {
+//!     framer.push(piece, &mut |frame| {
+//!         let sentence = decode(frame.text);
+//!         if sentence.is_clean() {
+//!             heading = Hdt::from_sentence(&sentence).and_then(|hdt| hdt.heading).or(heading);
+//!         }
+//!     });
+//! }
+//! assert_eq!(heading, Some(216.8));
+//! // And out again, with the decimals of the table and the checksum.
+//! let rot = Rot { rate: Some(-27.5), ..Rot::default() };
+//! assert_eq!(rot.line("AG"), "$AGROT,-027.5,*4C");
+//! ```
+//!
 //! **Invariant:** decoding never fails, obeying is strict: only [`steering`] makes a command of a line.
 
 pub mod ais;
 mod assemble;
-mod checksum;
 mod codes;
 mod decimal;
 mod decode;
@@ -35,7 +65,6 @@ mod view;
 mod tests;
 
 pub use assemble::{Assembler, Message};
-pub use checksum::ChecksumGate;
 pub use codes::*;
 pub use decimal::Decimal;
 pub use decode::{Checksum, Item, Sentence, decode};
@@ -50,4 +79,5 @@ pub use strict::{HtcCommand, HtcRefusal, steering};
 pub use table::{Definition, Format, Kind, Sides, Unit};
 pub use tables::*;
 pub use tag::{TagBlock, TagGroup};
-pub use value::{Date, UtcTime, Value, unescape};
+pub(crate) use value::unescape;
+pub use value::{Date, UtcTime, Value};

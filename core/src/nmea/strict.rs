@@ -60,6 +60,15 @@ const UNUSED: [u8; 5] = [2, 3, 6, 7, 11];
 
 /// The command of an HTC, or why it is not obeyed.
 ///
+/// ```
+/// use wheelover_core::nmea::{decode, steering, with_checksum};
+/// let line = with_checksum("EIHTC,V,,,T,R,,,0.35,,,,280.0,T,C");
+/// let command = steering(&decode(line.as_bytes()), false).expect("a command");
+/// assert_eq!((command.radius, command.track), (Some(0.35), Some(280.0)));
+/// let short = with_checksum("EIHTC,V,,,T,R,,,0.35,,,280.0,T,C");
+/// assert!(steering(&decode(short.as_bytes()), false).is_err());
+/// ```
+///
 /// `accept_null_status`: whether this port takes a null field 14 for a command. Mode R is left to the caller (HTC-4).
 ///
 /// # Errors

@@ -103,7 +103,7 @@ pub(crate) fn degrees_and_minutes(value: f64, digits: u8, decimals: u8) -> Optio
 
 /// Text of a field: `^hh` resolved, ISO 8859-1.
 #[must_use]
-pub fn unescape(text: &[u8]) -> String {
+pub(crate) fn unescape(text: &[u8]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
     while let Some(&byte) = text.get(at) {

@@ -265,3 +265,49 @@ fn hear_one<T>(slot: &mut Option<Heard<T>>, at: Stamp, source: Source, value: Op
         (None, None) => {}
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nmea::decode;
+
+    /// SEN-2.
+    #[test]
+    fn each_policy_takes_what_it_says() {
+        let check = |policy, lines: &[(&[u8], bool)]| {
+            let mut learned = false;
+            for (line, expect) in lines {
+                let checksum = decode(line).checksum;
+                assert_eq!(
+                    accepted(policy, checksum, &mut learned),
+                    *expect,
+                    "{policy:?}"
+                );
+            }
+        };
+        let (right, wrong, missing, broken) = (
+            b"$PEMC,00*37".as_slice(),
+            b"$PEMC,00*38".as_slice(),
+            b"$PEMC,00".as_slice(),
+            b"$PEMC,00*3".as_slice(),
+        );
+        check(
+            ChecksumPolicy::Required,
+            &[(missing, false), (right, true), (wrong, false)],
+        );
+        check(
+            ChecksumPolicy::Learned,
+            &[
+                (missing, true),
+                (wrong, false),
+                (missing, true),
+                (right, true),
+                (missing, false),
+            ],
+        );
+        check(
+            ChecksumPolicy::Optional,
+            &[(right, true), (missing, true), (broken, false)],
+        );
+    }
+}

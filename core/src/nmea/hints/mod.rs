@@ -16,6 +16,13 @@ use device::device_ranges;
 use short_htc::short_htc;
 
 /// Hints about a sentence.
+///
+/// ```
+/// use wheelover_core::nmea::{decode, hints};
+/// let sentence = decode(b"$EIVTG,234.5,T,,M,10.0,N,18.2,K,A*1C");
+/// assert!(sentence.is_clean());
+/// assert_eq!(hints(&sentence), ["10.0 kn are 18.5 km/h, field 7 says 18.2"]);
+/// ```
 #[must_use]
 pub fn hints(sentence: &Sentence<'_>) -> Vec<String> {
     let mut out = Vec::new();

@@ -108,6 +108,11 @@ pub(crate) fn text(definition: &'static Definition) -> Option<&'static SentenceT
 }
 
 /// All sentences of the dictionary.
+///
+/// ```
+/// use wheelover_core::nmea::dictionary;
+/// assert!(dictionary().iter().any(|definition| definition.formatter == "PNEY,002"));
+/// ```
 #[must_use]
 pub fn dictionary() -> &'static [&'static Definition] {
     &ALL
