@@ -18,7 +18,7 @@ pub mod steering;
 
 use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
-use crate::nmea::{self, Framer};
+use crate::nmea::{self, Ear, Frame};
 use crate::picture::Picture;
 use crate::settings::Settings;
 use crate::station::{Direction, Input, Output, PortIndex, PortSetup, Profile};
@@ -42,7 +42,7 @@ pub const CONFIRM_MS: u64 = 20_000;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Autopilot {
     picture: Picture,
-    framers: Vec<Framer>,
+    ears: Vec<Ear>,
     alerts: Alerts,
     settings: Settings,
     steering: Steering,
@@ -83,13 +83,13 @@ impl Autopilot {
         ship: SteeringSettings,
         now: Stamp,
     ) -> Self {
-        let framers = ports.iter().map(|_| Framer::new()).collect();
+        let ears = ports.iter().map(|_| Ear::default()).collect();
         let mut ship = ship;
         ship.slew = settings.rudder_slew;
         ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
         Self {
             picture: Picture::new(ports),
-            framers,
+            ears,
             alerts: Alerts::default(),
             settings,
             steering: Steering::new(ship),
@@ -152,33 +152,46 @@ impl Autopilot {
     }
 
     fn hear(&mut self, now: Stamp, port: PortIndex, bytes: &[u8], out: &mut Vec<Output>) {
-        let Some(mut framer) = self.framers.get_mut(port).map(core::mem::take) else {
+        let Some(mut ear) = self.ears.get_mut(port).map(core::mem::take) else {
             return;
         };
-        framer.push(bytes, &mut |frame| {
-            let sentence = nmea::decode(frame.text);
-            let accepted = self
-                .picture
-                .fold_sentence(now, port, Direction::In, &sentence);
-            out.push(Output::Line {
-                port,
-                dir: Direction::In,
-                text: frame.text.to_vec(),
-            });
-            if accepted && self.picture.ports[port].profile == Profile::Ecdis {
-                match sentence.formatter {
-                    "HTC" => self.on_htc(now),
-                    "ACK" => {
-                        let number = nmea::Ack::from_sentence(&sentence).and_then(|ack| ack.number);
-                        if let Some(number) = number {
-                            self.alerts.acknowledge(now, number as u16);
-                        }
-                    }
-                    _ => {}
-                }
+        ear.hear(now, bytes, &mut |frame| self.take(now, port, frame, out));
+        self.ears[port] = ear;
+    }
+
+    /// SEN-1: takes lines whose end has not come.
+    fn time_out(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        for port in 0..self.ears.len() {
+            if self.ears[port].is_late(now) {
+                let mut ear = core::mem::take(&mut self.ears[port]);
+                ear.time_out(now, &mut |frame| self.take(now, port, frame, out));
+                self.ears[port] = ear;
             }
+        }
+    }
+
+    fn take(&mut self, now: Stamp, port: PortIndex, frame: Frame<'_>, out: &mut Vec<Output>) {
+        let sentence = nmea::decode(frame.text);
+        let accepted = self
+            .picture
+            .fold_sentence(now, port, Direction::In, &sentence);
+        out.push(Output::Line {
+            port,
+            dir: Direction::In,
+            text: frame.text.to_vec(),
         });
-        self.framers[port] = framer;
+        if accepted && self.picture.ports[port].profile == Profile::Ecdis {
+            match sentence.formatter {
+                "HTC" => self.on_htc(now),
+                "ACK" => {
+                    let number = nmea::Ack::from_sentence(&sentence).and_then(|ack| ack.number);
+                    if let Some(number) = number {
+                        self.alerts.acknowledge(now, number as u16);
+                    }
+                }
+                _ => {}
+            }
+        }
     }
 
     fn step_ms(&self) -> u64 {
@@ -204,6 +217,7 @@ impl Autopilot {
 
     /// One control step.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        self.time_out(now, out);
         self.alerts.tick(now);
         self.read_sensors(now);
         self.supervise(now);

@@ -3,7 +3,7 @@
 use crate::geo::{Plane, Point, Position};
 use crate::limits::{Quantity, limits};
 use crate::nmea::{
-    self, DataStatus, Frame, Framer, Gll, Hdt, Htd, ModeIndicator, Sentence, SteeringMode, Ths,
+    self, DataStatus, Ear, Frame, Gll, Hdt, Htd, ModeIndicator, Sentence, SteeringMode, Ths,
     ThsMode, UtcTime, Vhw, Vtg,
 };
 use crate::picture::Picture;
@@ -45,17 +45,6 @@ pub(super) struct Ground {
 
 /// A value and when it was heard; absent once its source says that it is not valid.
 type Timed<T> = Option<(T, Stamp)>;
-
-/// The framer of a port.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct Ear {
-    framer: Framer,
-    /// When bytes were last heard.
-    last: Stamp,
-}
-
-/// A line without an end is taken as it is after so long without a byte, milliseconds (SEN-1).
-const LINE_TIMEOUT_MS: u64 = 500;
 
 /// Everything heard.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -107,11 +96,7 @@ impl Heard {
         let Some(ear) = self.ears.get_mut(port) else {
             return;
         };
-        if now.since(ear.last) > LINE_TIMEOUT_MS {
-            ear.framer.flush(&mut line_sink(port, out));
-        }
-        ear.last = now;
-        ear.framer.push(bytes, &mut line_sink(port, out));
+        ear.hear(now, bytes, &mut line_sink(port, out));
         self.take(now, port, &out[first..]);
     }
 
@@ -119,9 +104,9 @@ impl Heard {
     pub(super) fn time_out(&mut self, now: Stamp, out: &mut Vec<Output>) {
         for port in 0..self.ears.len() {
             let ear = &mut self.ears[port];
-            if ear.framer.pending() && now.since(ear.last) > LINE_TIMEOUT_MS {
+            if ear.is_late(now) {
                 let first = out.len();
-                ear.framer.flush(&mut line_sink(port, out));
+                ear.time_out(now, &mut line_sink(port, out));
                 self.take(now, port, &out[first..]);
             }
         }
