@@ -11,7 +11,7 @@ pub use command::{ChartRequest, Do, FaultKind, ModeRequest, Up};
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 1;
+pub const PROTOCOL: u32 = 2;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -63,10 +63,31 @@ pub struct Hello {
     pub ports: Vec<PortSetup>,
     /// Which station is shown: `autopilot` or `chart_system`.
     pub station: String,
+    /// Own ship's outline.
+    pub ship: Outline,
     /// Whether this is the embedded voyage (a simulated ship).
     pub simulated: bool,
     /// Whether this client may command.
     pub may_command: bool,
+}
+
+/// Own ship's outline, for a plan that is true to scale.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Outline {
+    /// Length over all, metres.
+    pub length_m: f64,
+    /// Greatest beam, metres.
+    pub beam_m: f64,
+}
+
+/// The built-in ship's.
+impl Default for Outline {
+    fn default() -> Self {
+        Self {
+            length_m: 160.93,
+            beam_m: 23.17,
+        }
+    }
 }
 
 /// Own facts: what no sentence can say.

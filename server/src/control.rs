@@ -14,7 +14,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, oneshot};
-use wheelover_core::stream::{Answer, Do, Hello, Line};
+use wheelover_core::stream::{Answer, Do, Hello, Line, Outline};
 use wheelover_core::time::Stamp;
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
@@ -96,6 +96,8 @@ impl Control {
 pub struct Parts {
     /// The stations.
     pub voyage: Voyage,
+    /// Own ship as the plan draws her.
+    pub ship: Outline,
     /// Their ports, in the order of the configuration.
     pub links: Vec<Link>,
     /// Which of them may send.
@@ -243,7 +245,9 @@ impl Thread {
                 self.happen(wall, Event::Command { id, action });
             }
             Input::Hello(reply) => {
-                let _ = reply.send(self.parts.voyage.hello(env!("CARGO_PKG_VERSION")));
+                let mut hello = self.parts.voyage.hello(env!("CARGO_PKG_VERSION"));
+                hello.ship = self.parts.ship;
+                let _ = reply.send(hello);
             }
             Input::Stop => self.stop = true,
         }

@@ -35,7 +35,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use tokio::net::TcpListener;
 use tokio::sync::{oneshot, watch};
-use wheelover_core::stream::Do;
+use wheelover_core::stream::{Do, Outline};
 use wheelover_core::time::Stamp;
 use wheelover_core::voyage::{Event, Voyage};
 
@@ -134,8 +134,13 @@ pub async fn serve(mut options: Options) -> Result<Running, Error> {
     let (feed, news, told) = feed::Feed::new();
     let (control, inputs) = control::channel();
     let (grant, granted) = oneshot::channel();
+    let ship = options.config.as_ref().map(|config| Outline {
+        length_m: config.ship.length_m,
+        beam_m: config.ship.beam_m,
+    });
     let parts = Parts {
         voyage,
+        ship: ship.unwrap_or_default(),
         links: links.clone(),
         may_send,
         news,

@@ -5,7 +5,9 @@ use crate::link::{self, wall};
 use crate::reading::Readings;
 use leptos::prelude::*;
 use std::time::Duration;
-use wheelover_core::stream::{Answer, Do, Hello, Lines, PortView, RouteDocument, Snapshot};
+use wheelover_core::stream::{
+    Answer, Do, Hello, Lines, Outline, PortView, RouteDocument, Snapshot,
+};
 use wheelover_core::time::Stamp;
 
 /// A frame may be so late before the page lets its own clock run on, milliseconds on the wall.
@@ -25,6 +27,8 @@ pub(crate) struct Greeting {
     pub(crate) ports: Vec<String>,
     /// Which station is shown.
     pub(crate) station: String,
+    /// Own ship's outline.
+    pub(crate) ship: Outline,
     /// Whether the ship is simulated.
     pub(crate) simulated: bool,
     /// Whether this page may command.
@@ -165,6 +169,7 @@ impl Deck {
             dictionary: hello.dictionary,
             ports: hello.ports.into_iter().map(|port| port.name).collect(),
             station: hello.station,
+            ship: hello.ship,
             simulated: hello.simulated,
             may_command: hello.may_command,
         }));

@@ -30,6 +30,7 @@ fn messages() -> Vec<String> {
             rate: 1.0,
             ports: vec![port],
             station: "autopilot".into(),
+            ship: Outline::default(),
             simulated: true,
             may_command: false,
         }),

@@ -5,7 +5,8 @@ use crate::chart_system::ChartSystem;
 use crate::picture::PortCount;
 use crate::station::PortSetup;
 use crate::stream::{
-    Hello, PROTOCOL, PortView, PortsDocument, RouteDocument, SettingsDocument, Snapshot, VoyageOwn,
+    Hello, Outline, PROTOCOL, PortView, PortsDocument, RouteDocument, SettingsDocument, Snapshot,
+    VoyageOwn,
 };
 use crate::world::World;
 use alloc::string::{String, ToString};
@@ -48,7 +49,7 @@ impl Voyage {
         }
     }
 
-    /// First frame of a connection; the caller says whether that client may command.
+    /// First frame of a connection; the caller says whether that client may command, and how large a real ship is.
     #[must_use]
     pub fn hello(&self, build: &str) -> Hello {
         let picture = self.picture();
@@ -62,6 +63,7 @@ impl Voyage {
             rate: self.rate(),
             ports: picture.ports.clone(),
             station: self.shown.name().to_string(),
+            ship: Outline::default(),
             simulated: self.embedded.is_some(),
             may_command: false,
         }

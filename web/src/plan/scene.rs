@@ -6,7 +6,7 @@ use crate::drawing::Drawing;
 use crate::format;
 use crate::reading::Readings;
 use wheelover_core::geo::{Point, Position};
-use wheelover_core::stream::{ChartOwn, RouteDocument};
+use wheelover_core::stream::{ChartOwn, Outline, RouteDocument};
 
 /// Everything that the plan shows, at one moment.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +15,8 @@ pub struct Scene<'a> {
     pub frame: Frame,
     /// Its range, nautical miles.
     pub range_nm: f64,
+    /// Own ship.
+    pub ship: Outline,
     /// What was heard.
     pub readings: &'a Readings,
     /// The route.
@@ -119,6 +121,7 @@ mod tests {
         Scene {
             frame: Frame::around(ship, (800.0, 600.0), 3.0, 0.0, 0.0),
             range_nm: 3.0,
+            ship: Outline::default(),
             readings,
             route: &route(),
             chart: Some(&chart),

@@ -5,10 +5,8 @@ use super::scene::{Scene, vector_minutes};
 use super::shapes::predicted;
 use crate::drawing::Drawing;
 use wheelover_core::geo::Point;
+use wheelover_core::stream::Outline;
 
-/// Length and breadth drawn, metres: the built-in ship's.
-const LENGTH: f64 = 161.0;
-const BREADTH: f64 = 23.0;
 /// Below this length on the screen the ship is a symbol.
 const SMALL: f64 = 24.0;
 
@@ -40,7 +38,7 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
         let heads = arrow(frame, tip, course, 0.0) + &arrow(frame, tip, course, 6.0);
         drawing.path("arrow", "", &heads);
     }
-    let small = LENGTH * frame.scale < SMALL;
+    let small = scene.ship.length_m * frame.scale < SMALL;
     if let Some(heading) = readings.heading.value {
         let line = frame.ray(ship, heading, 60_000.0);
         drawing.path("headline", "heading-line", &line);
@@ -54,7 +52,7 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
         let outline = if small {
             String::new()
         } else {
-            hull(frame, ship, heading)
+            hull(frame, scene.ship, ship, heading)
         };
         drawing.attribute("d", outline).plain("/>");
     }
@@ -77,10 +75,10 @@ fn arrow(frame: &Frame, tip: Point, course: f64, back: f64) -> String {
 }
 
 /// The outline, true to scale.
-fn hull(frame: &Frame, ship: Point, heading: f64) -> String {
+fn hull(frame: &Frame, outline: Outline, ship: Point, heading: f64) -> String {
     let corner = |ahead: f64, side: f64| {
-        ship.towards(heading, ahead * LENGTH)
-            .towards(heading + 90.0, side * BREADTH)
+        ship.towards(heading, ahead * outline.length_m)
+            .towards(heading + 90.0, side * outline.beam_m)
     };
     frame.path(&[
         corner(0.5, 0.0),

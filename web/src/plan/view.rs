@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, Orientation, RANGES};
 use super::scene::{Scene, vector_minutes};
-use crate::deck::Deck;
+use crate::deck::{Deck, Greeting};
 use crate::format;
 use leptos::html::Div;
 use leptos::prelude::*;
@@ -49,6 +49,8 @@ pub(crate) fn Plan() -> impl IntoView {
             return String::new();
         };
         let range_nm = RANGES[range.get()];
+        let greeted = |greeting: &Option<Greeting>| greeting.as_ref().map(|greeting| greeting.ship);
+        let ship = deck.greeting.with_untracked(greeted).unwrap_or_default();
         deck.readings.with_untracked(|readings| {
             deck.route.with_untracked(|route| {
                 deck.own.with_untracked(|own| {
@@ -58,6 +60,7 @@ pub(crate) fn Plan() -> impl IntoView {
                         Scene {
                             frame,
                             range_nm,
+                            ship,
                             readings,
                             route,
                             chart,
