@@ -1,5 +1,5 @@
 //! Samples with meanings written by hand from the sources: value, unit, meaning, faults, hints and encoding
-//! (SEN-3, SEN-5 to SEN-9; EMC-1, EMC-3, EMC-4).
+//! (SEN-3, SEN-5, SEN-6, SEN-7, SEN-8, SEN-9, EMC-1, EMC-3, EMC-4).
 
 use std::fs;
 use std::path::PathBuf;

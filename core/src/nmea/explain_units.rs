@@ -1,4 +1,4 @@
-//! Units that stand in another field of their sentence: what the letter there says of a number.
+//! Units that stand in another field of their sentence: what the letter there says of a number (EMC-3: APB in kilometres).
 
 use super::Sentence;
 use super::explain::Field;

@@ -1,4 +1,4 @@
-//! Reads one member from its raw fields: the value, and the faults found on the way.
+//! Reads one member from its raw fields: the value, and the faults found on the way (SEN-4, SEN-6).
 
 use super::decimal::{Decimal, POW10};
 use super::fault::{Fault, FaultKind};
