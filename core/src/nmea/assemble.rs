@@ -3,9 +3,7 @@
 //! **Invariant:** at most 16 messages and 32 KiB are held; the oldest goes first, and none is kept over 10 s.
 
 use super::explain::latin1;
-use super::tables::{
-    Abm, Alc, AlcEntry, Alf, Bbm, Gsv, GsvSatellite, RouteMode, Rte, Ttd, Vdm, Vdo,
-};
+use super::tables::{Alc, AlcEntry, Alf, Gsv, GsvSatellite, RouteMode, Rte};
 use super::{Sentence, decode};
 use crate::time::Stamp;
 use alloc::string::String;
@@ -190,7 +188,13 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
     let mut key = String::from(sentence.address);
     for &mark in marks {
         key.push(',');
-        key.push_str(&latin1(sentence.fields.get(mark)));
+        key.extend(
+            sentence
+                .fields
+                .get(mark)
+                .iter()
+                .map(|&byte| char::from(byte)),
+        );
     }
     if sentence.formatter == "GSV" && sentence.fields.len().is_multiple_of(4) {
         key.push_str(&latin1(sentence.fields.get(sentence.fields.len())));
@@ -245,63 +249,48 @@ fn join(lines: &[String]) -> Option<Message> {
                 .flat_map(|gsv| gsv.satellites)
                 .collect(),
         ),
-        "TTD" => {
-            let parts: Vec<Ttd> = sentences.iter().filter_map(Ttd::from_sentence).collect();
-            Message::Targets {
-                payload: parts
-                    .iter()
-                    .filter_map(|part| part.payload.as_deref())
-                    .collect(),
-                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
-            }
-        }
-        "ABM" => {
-            let parts: Vec<Abm> = sentences.iter().filter_map(Abm::from_sentence).collect();
-            Message::ToSend {
-                destination: parts.first()?.mmsi,
-                number: parts.first()?.message.map(|number| number as u8),
-                payload: parts
-                    .iter()
-                    .filter_map(|part| part.payload.as_deref())
-                    .collect(),
-                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
-            }
-        }
-        "BBM" => {
-            let parts: Vec<Bbm> = sentences.iter().filter_map(Bbm::from_sentence).collect();
-            Message::ToSend {
-                destination: None,
-                number: parts.first()?.message.map(|number| number as u8),
-                payload: parts
-                    .iter()
-                    .filter_map(|part| part.payload.as_deref())
-                    .collect(),
-                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
-            }
-        }
-        "VDO" => {
-            let parts: Vec<Vdo> = sentences.iter().filter_map(Vdo::from_sentence).collect();
-            Message::Radio {
-                own: true,
-                payload: parts
-                    .iter()
-                    .filter_map(|part| part.payload.as_deref())
-                    .collect(),
-                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
-            }
-        }
-        _ => {
-            let parts: Vec<Vdm> = sentences.iter().filter_map(Vdm::from_sentence).collect();
-            Message::Radio {
-                own: false,
-                payload: parts
-                    .iter()
-                    .filter_map(|part| part.payload.as_deref())
-                    .collect(),
-                fill_bits: parts.last()?.fill_bits.unwrap_or(0),
-            }
-        }
+        // The parts have no faults, so that their fields can be taken as they stand.
+        "TTD" => Message::Targets {
+            payload: payload(&sentences, 4),
+            fill_bits: fill_bits(&sentences, 5),
+        },
+        "ABM" => Message::ToSend {
+            destination: number(first, 4),
+            number: number(first, 6).and_then(|number| u8::try_from(number).ok()),
+            payload: payload(&sentences, 7),
+            fill_bits: fill_bits(&sentences, 8),
+        },
+        "BBM" => Message::ToSend {
+            destination: None,
+            number: number(first, 5).and_then(|number| u8::try_from(number).ok()),
+            payload: payload(&sentences, 6),
+            fill_bits: fill_bits(&sentences, 7),
+        },
+        formatter => Message::Radio {
+            own: formatter == "VDO",
+            payload: payload(&sentences, 5),
+            fill_bits: fill_bits(&sentences, 6),
+        },
     })
+}
+
+fn number(sentence: &Sentence<'_>, field: usize) -> Option<u32> {
+    let text = core::str::from_utf8(sentence.fields.get(field)).ok()?;
+    text.parse().ok()
+}
+
+/// What a field of all sentences says together.
+fn payload(sentences: &[Sentence<'_>], field: usize) -> String {
+    sentences
+        .iter()
+        .flat_map(|sentence| sentence.fields.get(field))
+        .map(|&byte| char::from(byte))
+        .collect()
+}
+
+fn fill_bits(sentences: &[Sentence<'_>], field: usize) -> u32 {
+    let last = sentences.last().and_then(|last| number(last, field));
+    last.unwrap_or(0)
 }
 
 #[cfg(test)]
