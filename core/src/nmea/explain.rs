@@ -8,8 +8,8 @@ use super::fault::{Fault, FaultKind};
 use super::read::read;
 use super::table::{Kind, MemberText, SentenceText};
 use super::tables::text;
-use super::value::{UtcTime, Value};
-use super::{Date, Item, Sentence};
+use super::value::Value;
+use super::{Date, Decimal, Item, Sentence};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -60,8 +60,8 @@ pub enum FieldValue<'a> {
     Letter(u8),
     /// A text with escapes.
     Text(&'a [u8]),
-    /// A time of day.
-    Time(UtcTime),
+    /// A time of day, hhmmss and decimals of a second.
+    Time(Decimal),
     /// A date.
     Date(Date),
 }
@@ -320,7 +320,7 @@ fn integer(value: Value<'_>) -> FieldValue<'_> {
 fn typed(value: Value<'_>) -> FieldValue<'_> {
     match value {
         Value::Text(text) => FieldValue::Text(text),
-        Value::Time(time) => FieldValue::Time(UtcTime::from_wire(time)),
+        Value::Time(time) => FieldValue::Time(time),
         Value::Date(date) => FieldValue::Date(Date::from_wire(date)),
         _ => FieldValue::None,
     }

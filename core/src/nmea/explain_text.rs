@@ -1,5 +1,6 @@
 //! Names, values and meanings of an explanation as text.
 
+use super::decimal::{Decimal, POW10};
 use super::explain::{FieldValue, Name, Part};
 use super::table::Sides;
 use super::{Date, UtcTime};
@@ -39,10 +40,31 @@ impl fmt::Display for FieldValue<'_> {
             Self::Integer(value) => value.fmt(f),
             Self::Letter(letter) => char::from(*letter).fmt(f),
             Self::Text(text) => super::unescape(text).fmt(f),
-            Self::Time(time) => time.fmt(f),
+            Self::Time(time) => clock(*time, f),
             Self::Date(date) => date.fmt(f),
         }
     }
+}
+
+/// A time of day with every decimal of its seconds (SEN-9): none, or two and more.
+fn clock(time: Decimal, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut scale = usize::from(time.scale());
+    let (clock, mut rest) = (
+        time.mantissa() / POW10[scale],
+        time.mantissa() % POW10[scale],
+    );
+    let (hour, minute, second) = (clock / 10_000, clock / 100 % 100, clock % 100);
+    write!(f, "{hour:02}:{minute:02}:{second:02}")?;
+    if rest == 0 {
+        return Ok(());
+    }
+    while scale > 2 && rest.is_multiple_of(10) {
+        (scale, rest) = (scale - 1, rest / 10);
+    }
+    if scale == 1 {
+        (scale, rest) = (2, rest * 10);
+    }
+    write!(f, ".{rest:0scale$}")
 }
 
 impl fmt::Display for UtcTime {
@@ -106,4 +128,24 @@ pub(super) const fn compass(letter: u8) -> Option<&'static str> {
         b'W' => "west",
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nmea::{decode, explain};
+
+    #[test]
+    fn a_time_keeps_its_decimals() {
+        let shown = |time: &str| {
+            let line = crate::nmea::with_checksum(&alloc::format!("GPZDA,{time},22,11,2026,,"));
+            let sentence = decode(line.as_bytes());
+            alloc::format!("{}", explain(&sentence).fields[0].value)
+        };
+        assert_eq!(shown("152829"), "15:28:29");
+        assert_eq!(shown("152829.00"), "15:28:29");
+        assert_eq!(shown("152829.5"), "15:28:29.50");
+        assert_eq!(shown("152829.353"), "15:28:29.353");
+        assert_eq!(shown("000000.0501"), "00:00:00.0501");
+    }
 }

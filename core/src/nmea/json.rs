@@ -175,7 +175,7 @@ fn field(field: &Field<'_>) -> JsonField {
             FieldValue::Integer(value) => JsonValue::Integer(value),
             FieldValue::Letter(letter) => JsonValue::Text(char::from(letter).to_string()),
             FieldValue::Text(text) => JsonValue::Text(unescape(text)),
-            FieldValue::Time(time) => JsonValue::Text(time.to_string()),
+            time @ FieldValue::Time(_) => JsonValue::Text(time.to_string()),
             FieldValue::Date(date) => JsonValue::Text(date.to_string()),
         },
         unit: field.unit,
