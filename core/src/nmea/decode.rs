@@ -3,12 +3,12 @@
 //! **Invariant:** decoding never fails and never panics; nothing is allocated where nothing is wrong.
 
 use super::fault::{Fault, FaultKind};
-use super::read::read;
-use super::scan::{FieldList, LONGEST_BODY, scan};
+use super::read::{read, read_here};
+use super::scan::{FieldList, LONGEST_BODY, Places};
 use super::table::{Definition, Kind, Repeat};
 use super::tables;
 use super::tag::TagBlock;
-use super::value::{Value, hex_byte};
+use super::value::{Value, hex_byte, hex_digits};
 use super::view::group_count;
 use alloc::vec::Vec;
 
@@ -100,36 +100,40 @@ pub struct Item<'a> {
 #[must_use]
 pub fn decode(line: &[u8]) -> Sentence<'_> {
     let raw = trim(line);
-    let (tag, text) = if raw.first() == Some(&b'\\') {
-        TagBlock::take(raw)
-    } else {
-        (None, raw)
+    let (tag, text) = match raw {
+        [b'\\', ..] => TagBlock::take(raw),
+        _ => (None, raw),
     };
-    let inside = match text.first() {
-        Some(b'$' | b'!') => &text[1..],
+    let inside = match text {
+        [b'$' | b'!', inside @ ..] => inside,
         _ => text,
     };
     let (body, given) = match inside {
-        [body @ .., b'*', high, low] => (body, Some(hex_byte(&[*high, *low]))),
+        [body @ .., b'*', high, low] => (body, Some([*high, *low])),
         _ => match inside.iter().position(|&b| b == b'*') {
-            Some(star) => (&inside[..star], Some(None)),
+            Some(star) => (&inside[..star], Some([0; 2])),
             None => (inside, None),
         },
     };
     let (fields, computed) = match body.split_at_checked(LONGEST_BODY) {
-        None => scan(body),
-        Some((start, rest)) => {
-            let (fields, sum) = scan(start);
-            (fields, rest.iter().fold(sum, |sum, b| sum ^ b))
-        }
+        None => FieldList::scan(body),
+        Some((start, rest)) => scan_long(start, rest),
     };
     let checksum = match given {
-        Some(Some(given)) if given == computed => Checksum::Right(computed),
-        Some(given) => Checksum::Wrong { given, computed },
+        Some(given) if given == hex_digits(computed) => Checksum::Right(computed),
+        Some(given) => match hex_byte(&given) {
+            Some(given) if given == computed => Checksum::Right(computed),
+            given => Checksum::Wrong { given, computed },
+        },
         None => Checksum::Missing { computed },
     };
-    let address = core::str::from_utf8(&body[..fields.start(0)]).unwrap_or("");
-    let (talker, formatter, known) = identify(body, address, &fields);
+    let head = fields.address();
+    let address = core::str::from_utf8(head).unwrap_or("");
+    let (talker, formatter, known) = if address.len() > 1 && address.starts_with('P') {
+        identify_maker(address, &fields)
+    } else {
+        identify(address)
+    };
     Sentence {
         raw,
         text,
@@ -143,6 +147,15 @@ pub fn decode(line: &[u8]) -> Sentence<'_> {
     }
 }
 
+/// A body of which only the start is told apart.
+#[cold]
+#[inline(never)]
+fn scan_long<'a>(start: &'a [u8], rest: &[u8]) -> (FieldList<'a>, u8) {
+    let (fields, sum) = FieldList::scan(start);
+    (fields, rest.iter().fold(sum, |sum, b| sum ^ b))
+}
+
+#[inline(always)]
 fn trim(mut line: &[u8]) -> &[u8] {
     while let [rest @ .., b'\r' | b'\n' | b' ' | b'\t'] = line {
         line = rest;
@@ -153,47 +166,79 @@ fn trim(mut line: &[u8]) -> &[u8] {
     line
 }
 
-#[inline]
-fn identify<'a>(
-    body: &'a [u8],
-    address: &'a str,
-    fields: &FieldList<'a>,
-) -> (&'a str, &'a str, Option<&'static Definition>) {
-    if let Some(maker) = address.strip_prefix('P')
-        && !maker.is_empty()
-    {
-        let whole = core::str::from_utf8(&body[..fields.start(1)]).unwrap_or(address);
-        return match tables::proprietary(whole) {
-            Some(known) => (&address[..1], whole, Some(known)),
-            None => (&address[..1], address, None),
-        };
+/// Where the line ends inside a member, its last field bears the faults.
+#[cold]
+#[inline(never)]
+fn name_last(faults: &mut [Fault], before: usize, last: usize) {
+    for fault in faults.iter_mut().skip(before) {
+        fault.field = fault.field.map(|n| n.min(last as u8));
     }
-    match address.len() {
-        5 if address.is_char_boundary(2) => {
-            let (talker, formatter) = address.split_at(2);
-            match tables::find(formatter) {
-                Some(known) => (talker, formatter, Some(known)),
-                None if address.as_bytes()[4] == b'Q' => (talker, formatter, Some(tables::query())),
-                None => (talker, formatter, None),
+}
+
+/// Talker, formatter and definition of an address.
+type Identity<'a> = (&'a str, &'a str, Option<&'static Definition>);
+
+#[inline(always)]
+fn identify(address: &str) -> Identity<'_> {
+    match address.split_at_checked(2) {
+        Some((talker, formatter)) if formatter.len() == 3 => {
+            let known = tables::find(formatter);
+            if known.is_none() && formatter.ends_with('Q') {
+                (talker, formatter, Some(tables::query()))
+            } else {
+                (talker, formatter, known)
             }
         }
         _ => ("", address, None),
     }
 }
 
+/// A proprietary sentence: `PNEY,001` and its like stand in the dictionary with their sub-address.
+#[inline(never)]
+fn identify_maker<'a>(address: &'a str, fields: &FieldList<'a>) -> Identity<'a> {
+    let head = fields.places().field(0).head;
+    let whole = core::str::from_utf8(head).unwrap_or(address);
+    match tables::proprietary(whole) {
+        Some(known) => (&address[..1], whole, Some(known)),
+        None => (&address[..1], address, None),
+    }
+}
+
 impl<'a> Sentence<'a> {
     /// Visits every member with its value, and every fault of the fields.
     #[inline]
-    pub fn walk(&self, mut item: impl FnMut(Item<'a>), faults: &mut Vec<Fault>) {
+    pub fn walk(&self, item: impl FnMut(Item<'a>), faults: &mut Vec<Fault>) {
+        self.walk_by(read_here, item, faults);
+    }
+
+    /// As [`Self::walk`], in one copy for all callers that are not pressed for time.
+    pub(crate) fn visit(&self, item: &mut dyn FnMut(Item<'a>), faults: &mut Vec<Fault>) {
+        self.walk_by(read, item, faults);
+    }
+
+    #[inline(always)]
+    fn walk_by(
+        &self,
+        read: impl Fn(&Kind, &Places<'a>, usize, &mut Vec<Fault>) -> Value<'a>,
+        mut item: impl FnMut(Item<'a>),
+        faults: &mut Vec<Fault>,
+    ) {
         let Some(definition) = self.known else { return };
+        let places = self.fields.places();
         let mut at = definition.first();
-        let mut visit = |members: &'static [Kind], (entry, in_tail), faults: &mut Vec<Fault>| {
+        let entries = match definition.group {
+            None => 0,
+            Some(_) => group_count(definition, &self.fields),
+        };
+        // The fixed members, each entry of the group, the tail.
+        let (mut members, mut entry, mut in_tail) = (definition.members, 0, false);
+        loop {
             for (index, kind) in members.iter().enumerate() {
-                if at >= self.fields.len() {
-                    break;
+                if at >= places.len() {
+                    return;
                 }
                 let before = faults.len();
-                let value = read(kind, &self.fields, at, faults);
+                let value = read(kind, &places, at, faults);
                 item(Item {
                     field: at + 1,
                     kind,
@@ -203,21 +248,17 @@ impl<'a> Sentence<'a> {
                     value,
                 });
                 at += kind.width();
-                if at > self.fields.len() {
-                    // The line ends inside the member: its last field bears the fault.
-                    let last = self.fields.len() as u8;
-                    for fault in &mut faults[before..] {
-                        fault.field = fault.field.map(|n| n.min(last));
-                    }
+                if at > places.len() && faults.len() > before {
+                    name_last(faults, before, places.len());
                 }
             }
-        };
-        visit(definition.members, (0, false), faults);
-        if let Some(group) = &definition.group {
-            for entry in 1..=group_count(definition, &self.fields) {
-                visit(group.members, (entry, false), faults);
+            match &definition.group {
+                Some(group) if entry < entries && !in_tail => {
+                    (members, entry) = (group.members, entry + 1);
+                }
+                Some(_) if !in_tail => (members, entry, in_tail) = (definition.tail, 0, true),
+                _ => return,
             }
-            visit(definition.tail, (0, true), faults);
         }
     }
 
@@ -226,7 +267,7 @@ impl<'a> Sentence<'a> {
     pub fn faults(&self) -> Vec<Fault> {
         let mut faults = Vec::new();
         self.frame_faults(&mut faults);
-        self.walk(|_| (), &mut faults);
+        self.visit(&mut |_| (), &mut faults);
         faults
     }
 

@@ -313,8 +313,8 @@ impl<'a> Values<'a> {
     #[must_use]
     pub fn of(sentence: &Sentence<'a>) -> Option<Self> {
         let mut items = Vec::with_capacity(16);
-        sentence.walk(
-            |item: Item<'a>| {
+        sentence.visit(
+            &mut |item: Item<'a>| {
                 // Letters behind a magnitude; 0 where there is none.
                 let raw = |offset: usize| match sentence.fields.get(item.field + offset) {
                     [letter] => *letter,

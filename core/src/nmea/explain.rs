@@ -122,8 +122,8 @@ pub fn explain<'a>(sentence: &Sentence<'a>) -> Explanation<'a> {
         ));
     }
     if let Some(texts) = texts {
-        sentence.walk(
-            |item| member(sentence, texts, &item, &mut fields),
+        sentence.visit(
+            &mut |item| member(sentence, texts, &item, &mut fields),
             &mut faults,
         );
     }
@@ -279,7 +279,7 @@ fn member<'a>(
                     decimals: 0,
                 };
                 let at = item.field - 1 + offset;
-                let value = read(&kind, &sentence.fields, at, &mut Vec::new());
+                let value = read(&kind, &sentence.fields.places(), at, &mut Vec::new());
                 value.number().map_or(FieldValue::None, FieldValue::Number)
             };
             let (lat, lon) = (half(0, 2), half(2, 3));
@@ -342,8 +342,8 @@ impl<'a> Sentence<'a> {
     pub fn member(&self, name: &str) -> Value<'a> {
         let mut found = Value::Null;
         if let Some(texts) = self.known.and_then(text) {
-            self.walk(
-                |item| {
+            self.visit(
+                &mut |item| {
                     let list = if item.in_tail {
                         texts.tail
                     } else {

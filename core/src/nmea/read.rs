@@ -2,94 +2,136 @@
 
 use super::decimal::{Decimal, POW10};
 use super::fault::{Fault, FaultKind};
-use super::scan::FieldList;
+use super::scan::{Field, Places, last};
 use super::table::{Format, Kind, Sides};
 use super::value::{Value, hex_byte, hex_digit};
 use alloc::vec::Vec;
 
 /// The value of the member whose first field has index `at` (from 0).
+#[inline(never)]
 pub(crate) fn read<'a>(
     kind: &Kind,
-    fields: &FieldList<'a>,
+    places: &Places<'a>,
     at: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
+    read_here(kind, places, at, faults)
+}
+
+/// As [`read`], in the caller: the value need not pass through memory.
+#[inline(always)]
+pub(crate) fn read_here<'a>(
+    kind: &Kind,
+    places: &Places<'a>,
+    at: usize,
+    faults: &mut Vec<Fault>,
+) -> Value<'a> {
+    let n = at + 1;
+    let field = places.field(at);
     match kind {
-        Kind::Number(format) => number(fields, *format, at, faults),
+        Kind::Number(format) => number(field, format, n, faults),
         Kind::Lettered(format, letter) => {
-            let value = number(fields, *format, at, faults);
-            lettered(value, fields.at(at + 1), *letter, at + 1, faults)
+            let value = number(field, format, n, faults);
+            lettered(value, places.field(at + 1), *letter, n + 1, faults)
         }
-        Kind::Sided(format, sides) => sided(fields, *format, *sides, at, faults),
+        Kind::Sided(format, sides) => sided(field, places.field(at + 1), format, *sides, n, faults),
         Kind::Crossed(format, sides, letter) => {
-            let value = sided(fields, *format, *sides, at, faults);
-            lettered(value, fields.at(at + 2), *letter, at + 2, faults)
+            let value = sided(field, places.field(at + 1), format, *sides, n, faults);
+            lettered(value, places.field(at + 2), *letter, n + 2, faults)
         }
-        Kind::Code(letters) => match fields.at(at) {
+        Kind::Integer(format) => match number(field, format, n, faults) {
+            Value::Number(number) if number.scale() != 0 => {
+                fault(faults, n, FaultKind::NotAnInteger)
+            }
+            value => value,
+        },
+        Kind::Code(letters) => match field.text() {
             [] => Value::Null,
             [letter] if letters.contains(letter) => Value::Code(*letter),
-            _ => fault(faults, at, FaultKind::UnknownCode),
+            _ => fault(faults, n, FaultKind::UnknownCode),
         },
-        Kind::Integer(format) => integer(fields, *format, at, faults),
-        Kind::Position(_) => position(fields, at, faults),
-        Kind::Time => time(fields, at, faults),
-        Kind::Date => date(fields.at(at), at, faults),
-        Kind::Text(limit) => text(fields.at(at), *limit, at, faults),
-        Kind::Angle { degrees, .. } => single_angle(fields, *degrees, at, faults),
-        Kind::Hex(_) => hex(fields.at(at), at, faults),
-        Kind::Payload => payload(fields.at(at), at, faults),
-        Kind::Any => match fields.at(at) {
+        Kind::Position(_) => {
+            let rest = [1, 2, 3].map(|offset| places.field(at + offset));
+            position(field, rest, n, faults)
+        }
+        Kind::Time => match time(field.head, field.length) {
+            Some(time) => Value::Time(time),
+            None => null_or_fault(field, n, faults, FaultKind::BadTime),
+        },
+        Kind::Date => match date(field.head, field.length) {
+            Some(date) => Value::Date(date),
+            None => null_or_fault(field, n, faults, FaultKind::BadDate),
+        },
+        Kind::Text(limit) => text(field.text(), *limit, n, faults),
+        Kind::Angle { degrees, .. } => {
+            single_angle(field, places.field(at + 1), *degrees, n, faults)
+        }
+        Kind::Hex(_) => hex(field.text(), n, faults),
+        Kind::Payload => payload(field.text(), n, faults),
+        Kind::Any => match field.text() {
             [] => Value::Null,
-            field => Value::Text(field),
+            text => Value::Text(text),
         },
     }
 }
 
 #[cold]
 #[inline(never)]
-fn fault<'a>(faults: &mut Vec<Fault>, at: usize, kind: FaultKind) -> Value<'a> {
-    faults.push(Fault::at(at, kind));
+fn fault<'a>(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) -> Value<'a> {
+    faults.push(Fault::at(n - 1, kind));
     Value::Invalid
 }
 
 #[inline(always)]
-fn number<'a>(
-    fields: &FieldList<'a>,
-    format: Format,
-    at: usize,
+fn number<'a>(field: Field<'a>, format: &Format, n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+    match measure(field.head, field.length, format) {
+        Some(number) => Value::Number(number),
+        None if field.is_empty() => Value::Null,
+        None => wrong_number(field.head, field.length, format, n, faults),
+    }
+}
+
+/// The number within its range.
+#[inline(always)]
+fn measure(head: &[u8], length: usize, format: &Format) -> Option<Decimal> {
+    Decimal::parse_last(head, length).filter(|number| number.within(format.low, format.high))
+}
+
+/// What is wrong with a number.
+#[cold]
+#[inline(never)]
+fn wrong_number<'a>(
+    head: &[u8],
+    length: usize,
+    format: &Format,
+    n: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
-    if fields.at(at).is_empty() {
-        return Value::Null;
-    }
-    match fields.number(at) {
-        Some(number) if number.within(format.low, format.high) => Value::Number(number),
-        Some(_) => out_of_range(faults, at, format),
-        None => fault(faults, at, FaultKind::NotANumber),
+    match Decimal::parse_apart(head, length) {
+        Some(_) => out_of_range(faults, n, format),
+        None => fault(faults, n, FaultKind::NotANumber),
     }
 }
 
 #[cold]
-fn out_of_range<'a>(faults: &mut Vec<Fault>, at: usize, format: Format) -> Value<'a> {
-    fault(
-        faults,
-        at,
-        FaultKind::OutOfRange {
-            low: format.low,
-            high: format.high,
-        },
-    )
+#[inline(never)]
+fn out_of_range<'a>(faults: &mut Vec<Fault>, n: usize, format: &Format) -> Value<'a> {
+    let (low, high) = (format.low, format.high);
+    fault(faults, n, FaultKind::OutOfRange { low, high })
 }
 
-fn integer<'a>(
-    fields: &FieldList<'a>,
-    format: Format,
-    at: usize,
+/// An empty field is null; another one has a fault.
+#[inline(always)]
+fn null_or_fault<'a>(
+    field: Field<'_>,
+    n: usize,
     faults: &mut Vec<Fault>,
+    kind: FaultKind,
 ) -> Value<'a> {
-    match number(fields, format, at, faults) {
-        Value::Number(number) if number.scale() != 0 => fault(faults, at, FaultKind::NotAnInteger),
-        value => value,
+    if field.is_empty() {
+        Value::Null
+    } else {
+        fault(faults, n, kind)
     }
 }
 
@@ -97,110 +139,109 @@ fn integer<'a>(
 #[inline(always)]
 fn lettered<'a>(
     value: Value<'a>,
-    field: &[u8],
+    field: Field<'_>,
     letter: u8,
-    at: usize,
+    n: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
-    if field.is_empty() || field == [letter] {
-        return value;
+    match field.text() {
+        [] => value,
+        [there] if *there == letter => value,
+        _ => {
+            let invalid = fault(faults, n, FaultKind::WrongLetter(letter));
+            if value.is_null() { value } else { invalid }
+        }
     }
-    let invalid = fault(faults, at, FaultKind::WrongLetter(letter));
-    if value.is_null() { value } else { invalid }
+}
+
+/// Whether the side is the negative one; none where it is missing or unknown.
+#[inline(always)]
+fn side(field: Field<'_>, sides: Sides, n: usize, faults: &mut Vec<Fault>) -> Option<bool> {
+    match field.text() {
+        [letter] if *letter == sides.positive => Some(false),
+        [letter] if *letter == sides.negative => Some(true),
+        text => {
+            wrong_side(text, n, faults);
+            None
+        }
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn wrong_side(text: &[u8], n: usize, faults: &mut Vec<Fault>) {
+    let kind = if text.is_empty() {
+        FaultKind::MissingPart
+    } else {
+        FaultKind::UnknownCode
+    };
+    fault(faults, n, kind);
 }
 
 #[inline(always)]
-fn side(field: &[u8], sides: Sides, at: usize, faults: &mut Vec<Fault>) -> Option<bool> {
-    match field {
-        [letter] if *letter == sides.positive => Some(false),
-        [letter] if *letter == sides.negative => Some(true),
-        [] => {
-            fault(faults, at, FaultKind::MissingPart);
-            None
-        }
-        _ => {
-            fault(faults, at, FaultKind::UnknownCode);
-            None
-        }
-    }
-}
-
 fn sided<'a>(
-    fields: &FieldList<'a>,
-    format: Format,
+    field: Field<'a>,
+    letter: Field<'a>,
+    format: &Format,
     sides: Sides,
-    at: usize,
+    n: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
-    let letter = fields.at(at + 1);
-    match number(fields, format, at, faults) {
-        Value::Number(number) => match side(letter, sides, at + 1, faults) {
-            Some(_) if number.signed() => out_of_range(faults, at, format),
+    match number(field, format, n, faults) {
+        Value::Number(number) => match side(letter, sides, n + 1, faults) {
+            Some(_) if number.signed() => out_of_range(faults, n, format),
             Some(negative) => Value::Number(number.with_negative(negative)),
             None => Value::Invalid,
         },
         value => {
             if !letter.is_empty() {
-                side(letter, sides, at + 1, faults);
+                side(letter, sides, n + 1, faults);
             }
             value
         }
     }
 }
 
-/// Degrees and minutes, unsigned, with the digits of the format.
-#[inline(always)]
-fn angle(
-    fields: &FieldList<'_>,
-    degrees: u8,
-    at: usize,
-    faults: &mut Vec<Fault>,
-) -> Option<Decimal> {
-    let field = fields.at(at);
-    let Some(angle) = fields.number(at) else {
-        fault(faults, at, FaultKind::NotANumber);
-        return None;
-    };
-    let limit = if degrees == 2 { 9_000 } else { 18_000 };
-    if angle.signed() || angle.scale() > 14 {
-        fault(faults, at, FaultKind::NotANumber);
-        return None;
-    }
-    if angle.whole() != degrees + 2 {
-        let kind = FaultKind::BadWidth {
-            found: angle.whole(),
-            expected: degrees + 2,
-        };
-        fault(faults, at, kind);
-        return None;
-    }
-    let minute = POW10[usize::from(angle.scale())];
+/// Degrees and minutes up to `LIMIT`, unsigned, with so many digits before the point.
+#[inline(never)]
+fn angle<const DIGITS: usize, const LIMIT: u64>(head: &[u8], length: usize) -> Option<Decimal> {
+    let angle = Decimal::parse_with::<DIGITS>(head, length)?;
     // The tens of the minutes stand behind the degrees.
-    if field
-        .get(usize::from(degrees))
-        .is_some_and(|&tens| tens >= b'6')
-    {
-        let minutes = angle.mantissa() % (100 * minute);
-        minutes_too_large(faults, at, Decimal::new(false, minutes, angle.scale(), 2));
-        return None;
-    }
-    if angle.mantissa() > limit * minute {
-        fault(
-            faults,
-            at,
-            FaultKind::OutOfRange {
-                low: 0,
-                high: limit as i32,
-            },
-        );
-        return None;
-    }
-    Some(angle)
+    let tens = last(head, length).get(DIGITS - 2)?;
+    let right = !angle.signed()
+        && usize::from(angle.whole()) == DIGITS
+        && angle.scale() <= 14
+        && angle.mantissa() <= LIMIT * POW10[usize::from(angle.scale())]
+        && *tens < b'6';
+    right.then_some(angle)
 }
 
+/// What is wrong with an angle.
 #[cold]
-fn minutes_too_large(faults: &mut Vec<Fault>, at: usize, minutes: Decimal) {
-    fault(faults, at, FaultKind::MinutesTooLarge(minutes));
+#[inline(never)]
+fn wrong_angle(head: &[u8], length: usize, degrees: u8, n: usize, faults: &mut Vec<Fault>) {
+    let kind = match Decimal::parse_apart(head, length) {
+        _ if length == 0 => FaultKind::MissingPart,
+        Some(angle) if !angle.signed() && angle.scale() <= 14 => {
+            let minute = POW10[usize::from(angle.scale())];
+            let minutes = angle.mantissa() % (100 * minute);
+            if angle.whole() != degrees + 2 {
+                FaultKind::BadWidth {
+                    found: angle.whole(),
+                    expected: degrees + 2,
+                }
+            } else if minutes >= 60 * minute {
+                FaultKind::MinutesTooLarge(Decimal::new(false, minutes, angle.scale(), 2))
+            } else {
+                FaultKind::OutOfRange {
+                    low: 0,
+                    high: if degrees == 2 { 9_000 } else { 18_000 },
+                }
+            }
+        }
+        _ => FaultKind::NotANumber,
+    };
+    fault(faults, n, kind);
 }
 
 const NS: Sides = Sides {
@@ -212,88 +253,92 @@ const EW: Sides = Sides {
     positive: b'E',
 };
 
+/// A latitude of two digits of degrees or a longitude of three, and its side.
+#[inline(always)]
 fn half(
-    fields: &FieldList<'_>,
+    field: Field<'_>,
+    letter: Field<'_>,
     degrees: u8,
-    at: usize,
+    n: usize,
     faults: &mut Vec<Fault>,
 ) -> Option<Decimal> {
-    let value = if fields.at(at).is_empty() {
-        fault(faults, at, FaultKind::MissingPart);
-        None
-    } else {
-        angle(fields, degrees, at, faults)
+    let value = match degrees {
+        2 => angle::<4, 9_000>(field.head, field.length),
+        _ => angle::<5, 18_000>(field.head, field.length),
     };
+    if value.is_none() {
+        wrong_angle(field.head, field.length, degrees, n, faults);
+    }
     let sides = if degrees == 2 { NS } else { EW };
-    let negative = side(fields.at(at + 1), sides, at + 1, faults);
+    let negative = side(letter, sides, n + 1, faults);
     Some(value?.with_negative(negative?))
 }
 
-fn position<'a>(fields: &FieldList<'a>, at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    if (0..4).all(|i| fields.at(at + i).is_empty()) {
+#[inline(always)]
+fn position<'a>(
+    field: Field<'a>,
+    rest: [Field<'a>; 3],
+    n: usize,
+    faults: &mut Vec<Fault>,
+) -> Value<'a> {
+    let [north, longitude, east] = rest;
+    if field.is_empty() && rest.iter().all(|field| field.is_empty()) {
         return Value::Null;
     }
-    match (half(fields, 2, at, faults), half(fields, 3, at + 2, faults)) {
-        (Some(lat), Some(lon)) => Value::Position(lat, lon),
+    let latitude = half(field, north, 2, n, faults);
+    let longitude = half(longitude, east, 3, n + 2, faults);
+    match (latitude, longitude) {
+        (Some(latitude), Some(longitude)) => Value::Position(latitude, longitude),
         _ => Value::Invalid,
     }
 }
 
+#[inline(never)]
 fn single_angle<'a>(
-    fields: &FieldList<'a>,
+    field: Field<'a>,
+    letter: Field<'a>,
     degrees: u8,
-    at: usize,
+    n: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
-    if fields.at(at).is_empty() && fields.at(at + 1).is_empty() {
+    if field.is_empty() && letter.is_empty() {
         return Value::Null;
     }
-    half(fields, degrees, at, faults).map_or(Value::Invalid, Value::Angle)
+    half(field, letter, degrees, n, faults).map_or(Value::Invalid, Value::Angle)
 }
 
-fn time<'a>(fields: &FieldList<'a>, at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    let field = fields.at(at);
-    if field.is_empty() {
-        return Value::Null;
-    }
-    if let Some(time) = fields.number(at)
-        && time.whole() == 6
+#[inline(never)]
+fn time(head: &[u8], length: usize) -> Option<Decimal> {
+    let time = Decimal::parse_with::<6>(head, length)?;
+    let &[h, hours, m, minutes, s, seconds, ..] = last(head, length) else {
+        return None;
+    };
+    // Digits all, as the number was read.
+    let below = |tens: u8, ones: u8, limit: [u8; 2]| [tens, ones] < limit;
+    let right = time.whole() == 6
         && !time.signed()
-    {
-        // Digits all, as the number was read.
-        let two = |i: usize| (field[i] - b'0') * 10 + (field[i + 1] - b'0');
-        if two(0) < 24 && two(2) < 60 && two(4) < 61 {
-            return Value::Time(time);
-        }
-    }
-    fault(faults, at, FaultKind::BadTime)
+        && below(h, hours, *b"24")
+        && below(m, minutes, *b"60")
+        && below(s, seconds, *b"61");
+    right.then_some(time)
 }
 
-fn date<'a>(field: &[u8], at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    if field.is_empty() {
-        return Value::Null;
-    }
-    if let Some(date) = Decimal::parse(field)
-        && field.len() == 6
-        && date.whole() == 6
-    {
-        let digits = date.mantissa();
-        let day = digits / 10_000;
-        let longest = match digits / 100 % 100 {
-            2 if digits % 4 == 0 => 29,
-            2 => 28,
-            4 | 6 | 9 | 11 => 30,
-            1..=12 => 31,
-            _ => 0,
-        };
-        if (1..=longest).contains(&day) {
-            return Value::Date(date);
-        }
-    }
-    fault(faults, at, FaultKind::BadDate)
+#[inline(never)]
+fn date(head: &[u8], length: usize) -> Option<Decimal> {
+    let date = Decimal::parse_last(head, length)?;
+    let digits = date.mantissa() as u32;
+    let longest = match digits / 100 % 100 {
+        2 if digits % 4 == 0 => 29,
+        2 => 28,
+        4 | 6 | 9 | 11 => 30,
+        1..=12 => 31,
+        _ => 0,
+    };
+    let right = length == 6 && date.whole() == 6 && (1..=longest).contains(&(digits / 10_000));
+    right.then_some(date)
 }
 
-fn text<'a>(field: &'a [u8], limit: u8, at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+fn text<'a>(field: &'a [u8], limit: u8, n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
     if field.is_empty() {
         return Value::Null;
     }
@@ -305,18 +350,18 @@ fn text<'a>(field: &'a [u8], limit: u8, at: usize, faults: &mut Vec<Fault>) -> V
             b'^' if field.get(i + 1..i + 3).and_then(hex_byte).is_some() => i += 3,
             // The reserved characters of the standard; 8-bit characters are ISO 8859-1.
             b'^' | b'*' | b'\\' | b'!' | b'$' | b'~' | 0..=0x1f | 0x7f => {
-                return fault(faults, at, FaultKind::BadCharacter(byte));
+                return fault(faults, n, FaultKind::BadCharacter(byte));
             }
             _ => i += 1,
         }
     }
     if length > usize::from(limit) {
-        return fault(faults, at, FaultKind::TooMuchText(limit));
+        return fault(faults, n, FaultKind::TooMuchText(limit));
     }
     Value::Text(field)
 }
 
-fn hex<'a>(field: &[u8], at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+fn hex<'a>(field: &[u8], n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
     if field.is_empty() {
         return Value::Null;
     }
@@ -324,13 +369,13 @@ fn hex<'a>(field: &[u8], at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
     for &byte in field {
         match hex_digit(byte) {
             Some(digit) if field.len() <= 8 => number = number << 4 | u64::from(digit),
-            _ => return fault(faults, at, FaultKind::BadHex),
+            _ => return fault(faults, n, FaultKind::BadHex),
         }
     }
     Value::Number(Decimal::new(false, number, 0, field.len() as u8))
 }
 
-fn payload<'a>(field: &'a [u8], at: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+fn payload<'a>(field: &'a [u8], n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
     if field.is_empty() {
         return Value::Null;
     }
@@ -340,6 +385,6 @@ fn payload<'a>(field: &'a [u8], at: usize, faults: &mut Vec<Fault>) -> Value<'a>
     {
         Value::Text(field)
     } else {
-        fault(faults, at, FaultKind::BadPayload)
+        fault(faults, n, FaultKind::BadPayload)
     }
 }

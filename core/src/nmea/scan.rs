@@ -1,6 +1,6 @@
 //! One pass over a line: where the fields are, and the checksum.
 
-/// Longest body whose fields are told apart; offsets fit a byte.
+/// Longest body whose fields are told apart: a bit of four words for each byte.
 pub(crate) const LONGEST_BODY: usize = 255;
 /// Most fields that are told apart; a line of 82 characters cannot have more.
 pub(crate) const MAX_FIELDS: usize = 100;
@@ -9,21 +9,67 @@ pub(crate) const MAX_FIELDS: usize = 100;
 #[derive(Clone, Copy)]
 pub struct FieldList<'a> {
     body: &'a [u8],
-    /// Offset of the separator before each field; one more for the end.
-    separators: [u8; MAX_FIELDS + 1],
-    count: u8,
+    /// One bit a byte of the body that is a comma, the first byte in the lowest bit of the first word; one for its end.
+    separators: [u64; 4],
 }
 
 impl<'a> FieldList<'a> {
+    /// The fields of `body`, the characters between `$` and `*`, and its exclusive-or.
+    ///
+    /// Sixteen bytes at a time; bytes after [`MAX_FIELDS`] separators belong to the last field.
+    #[inline(always)]
+    pub(crate) fn scan(body: &'a [u8]) -> (Self, u8) {
+        let mut separators = [0; 4];
+        let mut xor = 0;
+        for (bits, block) in separators.iter_mut().zip(body.chunks(64)) {
+            let (chunks, rest) = block.as_chunks::<16>();
+            let mut at = 0;
+            for chunk in chunks {
+                let (low, high) = halves(chunk);
+                xor ^= low ^ high;
+                *bits |= (commas_of(low) | commas_of(high) << 8) << at;
+                at += 16;
+            }
+            if !rest.is_empty() {
+                let (low, high) = last_bytes(body, rest.len());
+                xor ^= low ^ high;
+                *bits |= (commas_of(low) | commas_of(high) << 8) << (at & 63);
+            }
+        }
+        separators[body.len() / 64 & 3] |= 1 << (body.len() & 63);
+        let mut list = Self { body, separators };
+        if body.len() > MAX_FIELDS {
+            list.limit();
+        }
+        xor ^= xor >> 32;
+        xor ^= xor >> 16;
+        xor ^= xor >> 8;
+        (list, xor as u8)
+    }
+
+    /// Forgets the separators after [`MAX_FIELDS`].
+    #[inline(never)]
+    fn limit(&mut self) {
+        let mut room = MAX_FIELDS;
+        for word in &mut self.separators {
+            while word.count_ones() as usize > room {
+                *word &= !(1 << (63 - word.leading_zeros()));
+            }
+            room -= word.count_ones() as usize;
+        }
+        self.separators[self.body.len() / 64 & 3] |= 1 << (self.body.len() & 63);
+    }
+
     /// How many fields there are.
     #[must_use]
     pub const fn len(&self) -> usize {
-        self.count as usize
+        let [a, b, c, d] = self.separators;
+        (a.count_ones() + b.count_ones() + c.count_ones() + d.count_ones()) as usize - 1
     }
     /// Whether there are none.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
-        self.count == 0
+        self.len() == 0
     }
     /// Field `n`, counted from 1; empty where there is none.
     #[must_use]
@@ -31,30 +77,49 @@ impl<'a> FieldList<'a> {
         if n == 0 { &[] } else { self.at(n - 1) }
     }
     /// Field with index `at`, counted from 0; empty where there is none.
-    #[inline(always)]
     pub(crate) fn at(&self, at: usize) -> &'a [u8] {
-        if at < usize::from(self.count) {
-            let from = usize::from(self.separators[at]) + 1;
-            let to = usize::from(self.separators[at + 1]);
-            self.body.get(from..to).unwrap_or(&[])
-        } else {
-            &[]
-        }
-    }
-    /// The number in the field with index `at`; none where it is not one.
-    #[inline(always)]
-    pub(crate) fn number(&self, at: usize) -> Option<super::Decimal> {
-        let start = usize::from(*self.separators.get(at)?) + 1;
-        let end = usize::from(*self.separators.get(at + 1)?);
-        super::Decimal::parse_in(self.body, start, end)
+        self.places().field(at).text()
     }
     /// All fields in order.
     pub fn iter(&self) -> impl Iterator<Item = &'a [u8]> + '_ {
-        (0..self.len()).map(|at| self.at(at))
+        let places = self.places();
+        (0..self.len()).map(move |at| places.field(at).text())
     }
-    /// Offset of the separator before field `at` (from 0), which is the end of the field before it.
-    pub(crate) fn start(&self, at: usize) -> usize {
-        usize::from(self.separators[at.min(usize::from(self.count))])
+    /// The body up to the first separator.
+    #[inline(always)]
+    pub(crate) fn address(&self) -> &'a [u8] {
+        match self.separators[0] {
+            0 => self.body.split(|&b| b == b',').next().unwrap_or(&[]),
+            bits => self
+                .body
+                .get(..bits.trailing_zeros() as usize)
+                .unwrap_or(self.body),
+        }
+    }
+    /// Where each field stands, to be asked for many of them.
+    #[inline(always)]
+    pub(crate) fn places(&self) -> Places<'a> {
+        let mut places = Places {
+            body: self.body,
+            separators: [0; MAX_FIELDS + 1],
+            count: 0,
+        };
+        let mut next = 0;
+        for (base, &word) in (0..).step_by(64).zip(&self.separators) {
+            let mut bits = word;
+            while bits != 0
+                && let Some(separator) = places.separators.get_mut(next)
+            {
+                *separator = (base + bits.trailing_zeros()) as u8;
+                next += 1;
+                bits &= bits - 1;
+            }
+            if base as usize + 64 > self.body.len() {
+                break;
+            }
+        }
+        places.count = next.saturating_sub(1);
+        places
     }
 }
 
@@ -66,54 +131,113 @@ impl core::fmt::Debug for FieldList<'_> {
     }
 }
 
-const COMMAS: u64 = u64::from_ne_bytes([b','; 8]);
-const LOW7: u64 = u64::from_ne_bytes([0x7f; 8]);
+/// Where each field of a line stands.
+pub(crate) struct Places<'a> {
+    body: &'a [u8],
+    /// Offset of the separator before each field, and of the end; zeros behind.
+    separators: [u8; MAX_FIELDS + 1],
+    count: usize,
+}
 
-/// Separators and exclusive-or of `body`, the characters between `$` and `*`.
+impl<'a> Places<'a> {
+    /// How many fields there are.
+    #[inline(always)]
+    pub(crate) const fn len(&self) -> usize {
+        self.count
+    }
+    /// Field with index `at`, counted from 0; empty where there is none.
+    #[inline(always)]
+    pub(crate) fn field(&self, at: usize) -> Field<'a> {
+        if at >= MAX_FIELDS {
+            return Field {
+                head: &[],
+                length: 0,
+            };
+        }
+        let (before, end) = (
+            usize::from(self.separators[at]),
+            usize::from(self.separators[at + 1]),
+        );
+        Field {
+            head: self.body.get(..end).unwrap_or(&[]),
+            // Behind the last field the end is zero.
+            length: end.saturating_sub(before + 1),
+        }
+    }
+}
+
+/// One field of a line: the last characters of a head of the body.
 ///
-/// Eight bytes at a time; bytes after [`MAX_FIELDS`] separators belong to the last field.
-#[inline]
-pub(crate) fn scan(body: &[u8]) -> (FieldList<'_>, u8) {
-    let mut separators = [0u8; MAX_FIELDS + 1];
-    let mut count = 0usize;
-    let mut xor = 0u64;
-    let mut take = |word: u64, base: usize, count: &mut usize| {
-        let y = word ^ COMMAS;
-        let mut found = !(((y & LOW7) + LOW7) | y | LOW7);
-        while found != 0 {
-            if *count < MAX_FIELDS {
-                separators[*count] = (base + (found.trailing_zeros() >> 3) as usize) as u8;
-                *count += 1;
-            }
-            found &= found - 1;
-        }
+/// What stands before it is kept, because a number is read from behind.
+#[derive(Clone, Copy)]
+pub(crate) struct Field<'a> {
+    /// The body up to the end of the field.
+    pub(crate) head: &'a [u8],
+    /// How many of the last characters are the field.
+    pub(crate) length: usize,
+}
+
+impl<'a> Field<'a> {
+    /// What stands in it.
+    #[inline(always)]
+    pub(crate) fn text(self) -> &'a [u8] {
+        last(self.head, self.length)
+    }
+    /// Whether nothing stands in it, or there is none.
+    #[inline(always)]
+    pub(crate) const fn is_empty(self) -> bool {
+        self.length == 0
+    }
+}
+
+/// The last `length` characters of `head`.
+#[inline(always)]
+pub(crate) fn last(head: &[u8], length: usize) -> &[u8] {
+    head.get(head.len().wrapping_sub(length)..).unwrap_or(&[])
+}
+
+/// Two words of sixteen bytes, the first byte in the lowest of the first.
+#[inline(always)]
+fn halves(chunk: &[u8; 16]) -> (u64, u64) {
+    let both = u128::from_le_bytes(*chunk);
+    (both as u64, (both >> 64) as u64)
+}
+
+/// The last `length` bytes (1 to 15) of `body`, as [`halves`]; zeros behind them.
+#[inline(always)]
+fn last_bytes(body: &[u8], length: usize) -> (u64, u64) {
+    let (first, second) = match length {
+        0..=8 => (body.last_chunk::<8>(), None),
+        _ => (
+            body[body.len() - length..].first_chunk::<8>(),
+            body.last_chunk::<8>(),
+        ),
     };
-    let (words, rest) = body.as_chunks::<8>();
-    for (i, word) in words.iter().enumerate() {
-        let word = u64::from_le_bytes(*word);
-        xor ^= word;
-        take(word, i * 8, &mut count);
+    match (first, second) {
+        (Some(first), None) => (u64::from_le_bytes(*first) >> ((8 - length) * 8 & 63), 0),
+        (Some(first), Some(second)) => (
+            u64::from_le_bytes(*first),
+            u64::from_le_bytes(*second) >> ((16 - length) * 8 & 63),
+        ),
+        // A body of less than eight bytes.
+        _ => (
+            body.iter()
+                .rev()
+                .fold(0, |word, &b| word << 8 | u64::from(b)),
+            0,
+        ),
     }
-    if !rest.is_empty() {
-        let mut word = 0u64;
-        for (i, &byte) in rest.iter().enumerate() {
-            word |= u64::from(byte) << (i * 8);
-        }
-        xor ^= word;
-        take(word, words.len() * 8, &mut count);
-    }
-    separators[count] = body.len() as u8;
-    xor ^= xor >> 32;
-    xor ^= xor >> 16;
-    xor ^= xor >> 8;
-    (
-        FieldList {
-            body,
-            separators,
-            count: count as u8,
-        },
-        xor as u8,
-    )
+}
+
+/// One bit a byte of `word` that is a comma, the first byte in the lowest bit.
+#[inline(always)]
+const fn commas_of(word: u64) -> u64 {
+    const COMMAS: u64 = u64::from_ne_bytes([b','; 8]);
+    const LOW7: u64 = u64::from_ne_bytes([0x7f; 8]);
+    let y = word ^ COMMAS;
+    let found = !(((y & LOW7) + LOW7) | y | LOW7);
+    // Gathers the highest bits of the bytes in the highest byte.
+    (found >> 7).wrapping_mul(0x0102_0408_1020_4080) >> 56
 }
 
 #[cfg(test)]
@@ -125,7 +249,7 @@ mod tests {
         let text = b"EIHTC,V,,,T,R,,,0.35,,,280.0,\xac,T,C,,";
         for length in 0..=text.len() {
             let body = &text[..length];
-            let (fields, xor) = scan(body);
+            let (fields, xor) = FieldList::scan(body);
             assert_eq!(xor, body.iter().fold(0, |x, b| x ^ b));
             let plain: alloc::vec::Vec<&[u8]> = body.split(|&b| b == b',').skip(1).collect();
             assert_eq!(fields.iter().collect::<alloc::vec::Vec<_>>(), plain);
@@ -134,7 +258,31 @@ mod tests {
 
     #[test]
     fn a_line_of_commas_is_bounded() {
-        let (fields, _) = scan(&[b','; LONGEST_BODY]);
+        let (fields, _) = FieldList::scan(&[b','; LONGEST_BODY]);
         assert_eq!(fields.len(), MAX_FIELDS);
+    }
+
+    #[test]
+    fn fields_behind_the_last_are_empty() {
+        for length in 0..=LONGEST_BODY {
+            for every in [1, 2, 7, 70, 300] {
+                let body: alloc::vec::Vec<u8> = (0..length)
+                    .map(|i| if i % every == every - 1 { b',' } else { b'1' })
+                    .collect();
+                let (fields, _) = FieldList::scan(&body);
+                for at in (fields.len()..300).chain([usize::MAX - 1]) {
+                    assert_eq!(fields.at(at), b"");
+                }
+                let plain: alloc::vec::Vec<_> = body
+                    .splitn(MAX_FIELDS + 1, |&b| b == b',')
+                    .skip(1)
+                    .collect();
+                assert_eq!(fields.iter().collect::<alloc::vec::Vec<_>>(), plain);
+                assert_eq!(Some(fields.address()), body.split(|&b| b == b',').next());
+                for (at, field) in plain.iter().enumerate() {
+                    assert_eq!(fields.at(at), *field);
+                }
+            }
+        }
     }
 }

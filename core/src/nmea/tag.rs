@@ -24,6 +24,7 @@ pub struct TagGroup {
 
 impl<'a> TagBlock<'a> {
     /// Takes the TAG blocks at the start of a line; what follows is the sentence.
+    #[inline(never)]
     pub(crate) fn take(line: &'a [u8]) -> (Option<Self>, &'a [u8]) {
         let mut rest = line;
         let mut found = None;

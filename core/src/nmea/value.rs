@@ -118,6 +118,13 @@ pub(crate) fn unescape(text: &[u8]) -> String {
     out
 }
 
+/// The two digits of a checksum.
+#[inline(always)]
+pub(crate) const fn hex_digits(byte: u8) -> [u8; 2] {
+    const HEX: &[u8; 16] = b"0123456789ABCDEF";
+    [HEX[byte as usize >> 4], HEX[byte as usize & 15]]
+}
+
 /// Two hexadecimal digits.
 pub(crate) fn hex_byte(digits: &[u8]) -> Option<u8> {
     match digits {

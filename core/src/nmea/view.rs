@@ -2,6 +2,7 @@
 
 use super::encode::Cell;
 use super::read::read;
+use super::scan::Places;
 use super::table::{Definition, Kind, Repeat};
 use super::value::{Date, UtcTime, Value};
 use super::{FieldList, Sentence};
@@ -12,10 +13,11 @@ use alloc::vec::Vec;
 /// Walks the members of a sentence.
 pub(crate) struct Reader<'s, 'a> {
     fields: &'s FieldList<'a>,
+    places: Places<'a>,
+    at: usize,
     definition: &'static Definition,
     members: core::slice::Iter<'static, Kind>,
     in_tail: bool,
-    at: usize,
     faults: Vec<super::Fault>,
 }
 
@@ -26,10 +28,11 @@ impl<'s, 'a> Reader<'s, 'a> {
         }
         Some(Self {
             fields: &sentence.fields,
+            places: sentence.fields.places(),
+            at: definition.first(),
             definition,
             members: definition.members.iter(),
             in_tail: false,
-            at: definition.first(),
             faults: Vec::new(),
         })
     }
@@ -42,7 +45,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         let Some(kind) = self.members.next() else {
             return Value::Null;
         };
-        let value = read(kind, self.fields, self.at, &mut self.faults);
+        let value = read(kind, &self.places, self.at, &mut self.faults);
         self.at += kind.width();
         value
     }
@@ -68,6 +71,7 @@ impl<'s, 'a> Reader<'s, 'a> {
 }
 
 /// How many entries the group of a line has, as far as its fields go.
+#[inline(never)]
 pub(crate) fn group_count(definition: &Definition, fields: &FieldList<'_>) -> usize {
     let Some(group) = &definition.group else {
         return 0;
