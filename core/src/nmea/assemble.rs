@@ -108,14 +108,16 @@ impl Assembler {
         Self::default()
     }
 
-    /// Bytes that are held.
+    /// Bytes of memory that are held, with what the lists have in reserve (FB7).
     #[must_use]
     pub fn held(&self) -> usize {
-        self.open
-            .iter()
-            .flat_map(|open| &open.lines)
-            .map(String::len)
-            .sum()
+        let one = |open: &Open| {
+            size_of::<Open>()
+                + open.key.capacity()
+                + open.lines.capacity() * size_of::<String>()
+                + open.lines.iter().map(String::capacity).sum::<usize>()
+        };
+        self.open.iter().map(one).sum()
     }
 
     /// Takes a sentence; gives the message that it completes. A faulty or strange part ends its message.

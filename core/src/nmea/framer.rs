@@ -71,6 +71,12 @@ impl Framer {
         Self::default()
     }
 
+    /// Bytes of memory that are held (FB5).
+    #[must_use]
+    pub fn held(&self) -> usize {
+        self.held.capacity()
+    }
+
     /// Whether a line has begun and not ended; it ends by [`Framer::flush`] at a timeout.
     #[must_use]
     pub fn pending(&self) -> bool {

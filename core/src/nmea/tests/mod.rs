@@ -1,5 +1,6 @@
 //! Tests over the whole dictionary.
 
+mod bounded;
 mod framing;
 mod generate;
 mod hostile;
