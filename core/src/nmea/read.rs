@@ -328,7 +328,7 @@ fn date(head: &[u8], length: usize) -> Option<Decimal> {
     let date = Decimal::parse_last(head, length)?;
     let digits = date.mantissa() as u32;
     let longest = match digits / 100 % 100 {
-        2 if digits % 4 == 0 => 29,
+        2 if digits.is_multiple_of(4) => 29,
         2 => 28,
         4 | 6 | 9 | 11 => 30,
         1..=12 => 31,

@@ -36,7 +36,7 @@ impl<'a> FieldList<'a> {
                 *bits |= (commas_of(low) | commas_of(high) << 8) << (at & 63);
             }
         }
-        separators[body.len() / 64 & 3] |= 1 << (body.len() & 63);
+        separators[(body.len() / 64) & 3] |= 1 << (body.len() & 63);
         let mut list = Self { body, separators };
         if body.len() > MAX_FIELDS {
             list.limit();
@@ -57,7 +57,7 @@ impl<'a> FieldList<'a> {
             }
             room -= word.count_ones() as usize;
         }
-        self.separators[self.body.len() / 64 & 3] |= 1 << (self.body.len() & 63);
+        self.separators[(self.body.len() / 64) & 3] |= 1 << (self.body.len() & 63);
     }
 
     /// How many fields there are.
@@ -214,10 +214,10 @@ fn last_bytes(body: &[u8], length: usize) -> (u64, u64) {
         ),
     };
     match (first, second) {
-        (Some(first), None) => (u64::from_le_bytes(*first) >> ((8 - length) * 8 & 63), 0),
+        (Some(first), None) => (u64::from_le_bytes(*first) >> (((8 - length) * 8) & 63), 0),
         (Some(first), Some(second)) => (
             u64::from_le_bytes(*first),
-            u64::from_le_bytes(*second) >> ((16 - length) * 8 & 63),
+            u64::from_le_bytes(*second) >> (((16 - length) * 8) & 63),
         ),
         // A body of less than eight bytes.
         _ => (

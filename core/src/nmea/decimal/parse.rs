@@ -33,7 +33,7 @@ const fn strange(digits: u64) -> u64 {
 #[inline(always)]
 fn last_digits(head: &[u8], length: usize) -> Option<u64> {
     let word = u64::from_le_bytes(*head.last_chunk::<8>()?);
-    Some((word ^ ZEROS) & u64::MAX << ((8 - length) * 8 & 63))
+    Some((word ^ ZEROS) & u64::MAX << (((8 - length) * 8) & 63))
 }
 
 #[inline(always)]
