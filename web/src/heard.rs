@@ -95,7 +95,7 @@ impl Fold {
             }
             self.seen = *sequence;
             let bytes = latin1(text);
-            let sentence = nmea::decode(&bytes);
+            let sentence = nmea::decode_for_picture(&bytes);
             if *sequence == self.folded + 1 {
                 self.picture
                     .fold_sentence(Stamp(*at), *port, *dir, &sentence);
@@ -204,9 +204,15 @@ pub fn latin1(text: &str) -> Vec<u8> {
 
 /// The address without its talker, or what stands for it.
 fn lane_name(sentence: &nmea::Sentence<'_>) -> String {
-    if sentence.formatter.is_empty() {
-        "?".to_owned()
-    } else {
-        sentence.formatter.to_owned()
+    match (sentence.talker, sentence.formatter) {
+        (_, "") => "?".to_owned(),
+        // A maker's sentences are told apart by their first field.
+        ("P", maker) if !maker.contains(',') => {
+            format!(
+                "{maker},{}",
+                String::from_utf8_lossy(sentence.fields.get(1))
+            )
+        }
+        (_, formatter) => formatter.to_owned(),
     }
 }

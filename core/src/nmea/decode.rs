@@ -3,10 +3,10 @@
 //! **Invariant:** decoding never fails and never panics; nothing is allocated where nothing is wrong.
 
 use super::fault::{Fault, FaultKind};
+use super::known::{Known, OfPicture, Whole};
 use super::read::{read, read_here};
 use super::scan::{FieldList, LONGEST_BODY, Places};
 use super::table::{Definition, Kind, Repeat};
-use super::tables;
 use super::tag::TagBlock;
 use super::value::{Value, hex_byte, hex_digits};
 use super::view::group_count;
@@ -99,6 +99,18 @@ pub struct Item<'a> {
 /// ```
 #[must_use]
 pub fn decode(line: &[u8]) -> Sentence<'_> {
+    decode_knowing::<Whole>(line)
+}
+
+/// Decodes one line for [`crate::picture::Picture::fold_sentence`]: sentences that no picture is made of are left unknown,
+/// and a program that decodes in this way only does not carry their tables.
+#[must_use]
+pub fn decode_for_picture(line: &[u8]) -> Sentence<'_> {
+    decode_knowing::<OfPicture>(line)
+}
+
+#[inline(always)]
+fn decode_knowing<K: Known>(line: &[u8]) -> Sentence<'_> {
     let raw = trim(line);
     let (tag, text) = match raw {
         [b'\\', ..] => TagBlock::take(raw),
@@ -130,9 +142,9 @@ pub fn decode(line: &[u8]) -> Sentence<'_> {
     let head = fields.address();
     let address = core::str::from_utf8(head).unwrap_or("");
     let (talker, formatter, known) = if address.len() > 1 && address.starts_with('P') {
-        identify_maker(address, &fields)
+        identify_maker::<K>(address, &fields)
     } else {
-        identify(address)
+        identify::<K>(address)
     };
     Sentence {
         raw,
@@ -179,12 +191,12 @@ fn name_last(faults: &mut [Fault], before: usize, last: usize) {
 type Identity<'a> = (&'a str, &'a str, Option<&'static Definition>);
 
 #[inline(always)]
-fn identify(address: &str) -> Identity<'_> {
+fn identify<K: Known>(address: &str) -> Identity<'_> {
     match address.split_at_checked(2) {
         Some((talker, formatter)) if formatter.len() == 3 => {
-            let known = tables::find(formatter);
+            let known = K::formatter(formatter);
             if known.is_none() && formatter.ends_with('Q') {
-                (talker, formatter, Some(tables::query()))
+                (talker, formatter, K::query())
             } else {
                 (talker, formatter, known)
             }
@@ -195,10 +207,10 @@ fn identify(address: &str) -> Identity<'_> {
 
 /// A proprietary sentence: `PNEY,001` and its like stand in the dictionary with their sub-address.
 #[inline(never)]
-fn identify_maker<'a>(address: &'a str, fields: &FieldList<'a>) -> Identity<'a> {
+fn identify_maker<'a, K: Known>(address: &'a str, fields: &FieldList<'a>) -> Identity<'a> {
     let head = fields.places().field(0).head;
     let whole = core::str::from_utf8(head).unwrap_or(address);
-    match tables::proprietary(whole) {
+    match K::proprietary(whole) {
         Some(known) => (&address[..1], whole, Some(known)),
         None => (&address[..1], address, None),
     }
