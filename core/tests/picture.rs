@@ -63,13 +63,13 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
     assert!(lines.len() > 200, "{} lines", lines.len());
     let (mut changes, mut ever) = (0, [false; 3]);
     for (index, line) in lines.iter().enumerate() {
-        for port in 0..PROFILES.len() {
+        for (port, profile) in PROFILES.into_iter().enumerate() {
             for dir in [Direction::In, Direction::Out] {
                 let (at, before) = (Stamp(index as u64 * 100), whole.digest());
                 whole.fold_sentence(at, port, dir, &decode(line));
                 part.fold_sentence(at, port, dir, &decode_for_picture(line));
                 let shown = String::from_utf8_lossy(line);
-                assert_eq!(whole, part, "{shown} on {:?}, {dir:?}", PROFILES[port]);
+                assert_eq!(whole, part, "{shown} on {profile:?}, {dir:?}");
                 changes += usize::from(whole.digest() != before);
                 let now = [
                     whole.htc.is_some(),

@@ -132,7 +132,6 @@ pub(super) const fn compass(letter: u8) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::nmea::{decode, explain};
 
     #[test]
