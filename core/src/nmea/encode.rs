@@ -61,7 +61,7 @@ impl<'o> Writer<'o> {
     /// Writes the next member.
     pub(crate) fn put(&mut self, cell: Cell<'_>) {
         if let Some(kind) = self.members.next() {
-            self.member(kind, cell);
+            self.member(kind, &cell);
         }
     }
 
@@ -84,18 +84,18 @@ impl<'o> Writer<'o> {
         self.fields += 1;
     }
 
-    fn member(&mut self, kind: &Kind, cell: Cell<'_>) {
+    fn member(&mut self, kind: &Kind, cell: &Cell<'_>) {
         self.comma();
         match kind {
-            Kind::Number(format) | Kind::Integer(format) => self.number(*format, cell, false),
+            Kind::Number(format) | Kind::Integer(format) => self.number(format, cell, false),
             Kind::Lettered(format, letter) => {
-                self.number(*format, cell, false);
+                self.number(format, cell, false);
                 self.comma();
                 self.out.push(*letter);
             }
-            Kind::Sided(format, sides) => self.sided(*format, *sides, cell),
+            Kind::Sided(format, sides) => self.sided(format, *sides, cell),
             Kind::Crossed(format, sides, letter) => {
-                self.sided(*format, *sides, cell);
+                self.sided(format, *sides, cell);
                 self.comma();
                 self.out.push(*letter);
             }
@@ -108,13 +108,13 @@ impl<'o> Writer<'o> {
         }
     }
 
-    fn number(&mut self, format: Format, cell: Cell<'_>, unsigned: bool) {
+    fn number(&mut self, format: &Format, cell: &Cell<'_>, unsigned: bool) {
         if let Some(number) = decimal(format, cell) {
             number.write(self.out, unsigned);
         }
     }
 
-    fn sided(&mut self, format: Format, sides: Sides, cell: Cell<'_>) {
+    fn sided(&mut self, format: &Format, sides: Sides, cell: &Cell<'_>) {
         let number = decimal(format, cell);
         if let Some(number) = number {
             number.write(self.out, true);
@@ -146,8 +146,8 @@ impl<'o> Writer<'o> {
         }
     }
 
-    fn position(&mut self, decimals: u8, cell: Cell<'_>) {
-        let (lat, lon) = match cell {
+    fn position(&mut self, decimals: u8, cell: &Cell<'_>) {
+        let (lat, lon) = match *cell {
             Cell::Value(Value::Position(lat, lon)) => (Some(lat), Some(lon)),
             Cell::Position(position) if libm::fabs(position.lat) <= 90.0 => (
                 degrees_and_minutes(position.lat, 2, decimals),
@@ -161,8 +161,8 @@ impl<'o> Writer<'o> {
         self.half(both.map(|(_, lon)| lon), b'E', b'W');
     }
 
-    fn angle(&mut self, digits: u8, decimals: u8, cell: Cell<'_>) {
-        let angle = match cell {
+    fn angle(&mut self, digits: u8, decimals: u8, cell: &Cell<'_>) {
+        let angle = match *cell {
             Cell::Value(Value::Angle(angle)) => Some(angle),
             Cell::Float(value) => degrees_and_minutes(value, digits, decimals),
             _ => None,
@@ -186,8 +186,8 @@ impl<'o> Writer<'o> {
         }
     }
 
-    fn hex(&mut self, digits: u8, cell: Cell<'_>) {
-        let (number, digits) = match cell {
+    fn hex(&mut self, digits: u8, cell: &Cell<'_>) {
+        let (number, digits) = match *cell {
             Cell::Integer(number) => (u64::from(number), digits),
             Cell::Value(Value::Number(number)) => (number.mantissa(), number.whole()),
             _ => return,
@@ -199,8 +199,8 @@ impl<'o> Writer<'o> {
         }
     }
 
-    fn plain(&mut self, cell: Cell<'_>, limit: u8) {
-        match cell {
+    fn plain(&mut self, cell: &Cell<'_>, limit: u8) {
+        match *cell {
             Cell::Letter(letter) | Cell::Value(Value::Code(letter)) => {
                 self.out.push(letter);
             }
@@ -248,8 +248,14 @@ impl<'o> Writer<'o> {
 
 /// Adds the checksum to the line that begins with `$` or `!` at `start`.
 fn close(out: &mut Vec<u8>, start: usize) {
-    let sum = out[(start + 1).min(out.len())..]
+    let (words, rest) = out[(start + 1).min(out.len())..].as_chunks::<8>();
+    let wide = words
         .iter()
+        .fold(0, |sum, word| sum ^ u64::from_ne_bytes(*word));
+    let sum = wide
+        .to_ne_bytes()
+        .iter()
+        .chain(rest)
         .fold(0, |sum, b| sum ^ b);
     out.extend_from_slice(&[b'*', HEX[usize::from(sum >> 4)], HEX[usize::from(sum & 15)]]);
 }
@@ -279,8 +285,8 @@ pub fn with_checksum(body: &str) -> String {
     super::explain::latin1(&out)
 }
 
-fn decimal(format: Format, cell: Cell<'_>) -> Option<Decimal> {
-    match cell {
+fn decimal(format: &Format, cell: &Cell<'_>) -> Option<Decimal> {
+    match *cell {
         Cell::Float(value) => Decimal::from_f64(value, format.whole, format.decimals),
         Cell::Integer(value) => Some(Decimal::new(false, u64::from(value), 0, format.whole)),
         Cell::Value(Value::Number(number)) => Some(number),
@@ -305,7 +311,7 @@ pub struct Values<'a> {
     talker: &'a str,
     /// Fields that are written.
     count: usize,
-    items: Vec<(&'static Kind, Value<'a>, [u8; 2])>,
+    items: Vec<(&'static Kind, Cell<'a>, [u8; 2])>,
 }
 
 impl<'a> Values<'a> {
@@ -321,7 +327,12 @@ impl<'a> Values<'a> {
                     [] => 0,
                     _ => b'?',
                 };
-                items.push((item.kind, item.value, [raw(1), raw(2)]));
+                let cell = if item.value.is_null() {
+                    Cell::Null
+                } else {
+                    Cell::Value(item.value)
+                };
+                items.push((item.kind, cell, [raw(1), raw(2)]));
             },
             &mut Vec::new(),
         );
@@ -341,27 +352,22 @@ impl<'a> Values<'a> {
             writer.out.truncate(writer.start + 1);
             writer.out.extend_from_slice(self.address.as_bytes());
         }
-        for (kind, value, raw) in &self.items {
-            let cell = if value.is_null() {
-                Cell::Null
-            } else {
-                Cell::Value(*value)
-            };
+        for (kind, cell, raw) in &self.items {
             match kind {
                 // A letter that was left out stays out; a side without a magnitude stays.
                 Kind::Lettered(format, letter) => {
                     writer.comma();
-                    writer.number(*format, cell, false);
+                    writer.number(format, cell, false);
                     writer.letter(raw[0], *letter);
                 }
                 Kind::Sided(format, sides) => {
                     writer.comma();
-                    writer.number(*format, cell, true);
+                    writer.number(format, cell, true);
                     writer.side(raw[0], *sides);
                 }
                 Kind::Crossed(format, sides, letter) => {
                     writer.comma();
-                    writer.number(*format, cell, true);
+                    writer.number(format, cell, true);
                     writer.side(raw[0], *sides);
                     writer.letter(raw[1], *letter);
                 }

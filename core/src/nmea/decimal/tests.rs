@@ -2,6 +2,7 @@
 
 use super::*;
 use alloc::string::ToString;
+use alloc::vec::Vec;
 
 #[test]
 fn a_number_prints_back_as_it_was_written() {
@@ -112,4 +113,23 @@ fn floats_round_to_the_declared_decimals() {
     check(-4.06, 1, 1, "-4.1");
     assert_eq!(Decimal::from_f64(f64::NAN, 1, 1), None);
     assert_eq!(Decimal::from_f64(f64::INFINITY, 1, 1), None);
+}
+
+#[test]
+fn both_ways_of_writing_give_the_same_digits() {
+    let mut state = 0x2545_F491_4F6C_DD1D_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state
+    };
+    for _ in 0..200_000 {
+        let mantissa = random() >> (random() % 64);
+        let number = Decimal::new(false, mantissa, (random() % 12) as u8, (random() % 9) as u8);
+        let (mut quick, mut plain) = (Vec::new(), Vec::new());
+        number.write(&mut quick, true);
+        number.write_long(&mut plain);
+        assert_eq!(quick, plain, "{mantissa} {number:?}");
+    }
 }

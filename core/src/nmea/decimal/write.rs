@@ -1,6 +1,6 @@
 //! Writing a decimal: digit for digit as it was read.
 
-use super::{Decimal, PLUS, POINT};
+use super::{Decimal, PLUS, POINT, POW10};
 use alloc::vec::Vec;
 
 impl Decimal {
@@ -13,10 +13,14 @@ impl Decimal {
                 out.push(b'-');
             }
         }
-        let wanted = self.scale() + self.whole().min(19) + 1;
-        if self.mantissa < 10_000_000 && wanted <= 8 {
-            return self.write_short(out);
+        if !self.write_packed(out) {
+            self.write_long(out);
         }
+    }
+
+    /// Any number of digits, one after the other.
+    #[cold]
+    pub(super) fn write_long(self, out: &mut Vec<u8>) {
         // Point and 19 digits on each side of it at most.
         let mut digits = [b'0'; 40];
         let mut at = digits.len();
@@ -43,32 +47,46 @@ impl Decimal {
         out.extend_from_slice(&digits[at.min(end - whole)..]);
     }
 
-    /// At most eight characters, made in a register.
+    /// At most 16 characters, made in a register without a loop over the digits. False where it takes more.
     #[inline]
-    fn write_short(self, out: &mut Vec<u8>) {
-        let mut packed = 0u64;
-        let mut count = 0;
-        let mut rest = self.mantissa as u32;
-        for _ in 0..self.scale() {
-            packed = packed << 8 | u64::from(b'0' + (rest % 10) as u8);
-            rest /= 10;
+    fn write_packed(self, out: &mut Vec<u8>) -> bool {
+        let (mantissa, scale) = (self.mantissa, usize::from(self.scale()));
+        let mut count = usize::from(self.whole()) + scale;
+        while count < 16 && mantissa >= POW10[count] {
             count += 1;
         }
-        if self.scale() > 0 || self.shape.sign() & POINT != 0 {
-            packed = packed << 8 | u64::from(b'.');
-            count += 1;
+        if count == 0 || count > 15 {
+            return false;
         }
-        let mut whole = 0;
-        while rest > 0 || whole < self.whole() {
-            packed = packed << 8 | u64::from(b'0' + (rest % 10) as u8);
-            rest /= 10;
-            count += 1;
-            whole += 1;
-        }
-        let length = out.len() + count;
+        const ZEROS: u128 = u128::from_ne_bytes([b'0'; 16]);
+        let (high, low) = (mantissa / 100_000_000, mantissa % 100_000_000);
+        let all = u128::from(eight_digits(high)) | (u128::from(eight_digits(low)) << 64);
+        let digits = (all | ZEROS) >> (8 * (16 - count));
+        let point = scale > 0 || self.shape.sign() & POINT != 0;
+        let (packed, length) = if point {
+            let whole = 8 * (count - scale);
+            let before = digits & ((1 << whole) - 1);
+            let behind = ((digits >> whole) << 8) | u128::from(b'.');
+            (before | (behind << whole), count + 1)
+        } else {
+            (digits, count)
+        };
+        let end = out.len() + length;
         out.extend_from_slice(&packed.to_le_bytes());
-        out.truncate(length);
+        out.truncate(end);
+        true
     }
+}
+
+/// The eight digits of a number below 10^8, one a byte, the first in the lowest byte: halved three times, in lanes.
+#[inline]
+const fn eight_digits(number: u64) -> u64 {
+    let fours = (number / 10_000) | ((number % 10_000) << 32);
+    // A hundredth and a tenth as multiplications that are exact below 10,000 and below 100.
+    let hundreds = ((fours * 10_486) >> 20) & 0x0000_007F_0000_007F;
+    let twos = hundreds | ((fours - hundreds * 100) << 16);
+    let tens = ((twos * 103) >> 10) & 0x000F_000F_000F_000F;
+    tens | ((twos - tens * 10) << 8)
 }
 
 impl core::fmt::Display for Decimal {
