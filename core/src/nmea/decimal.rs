@@ -129,6 +129,14 @@ impl Decimal {
         self
     }
 
+    /// The size alone, where a side says the rest.
+    #[must_use]
+    pub(crate) const fn without_sign(mut self) -> Self {
+        let point = self.shape.sign() & POINT;
+        self.shape = Shape::new(self.whole(), self.scale(), point);
+        self
+    }
+
     /// The nearest floating-point number.
     #[must_use]
     #[inline]

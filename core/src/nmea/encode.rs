@@ -3,7 +3,6 @@
 use super::decimal::Decimal;
 use super::table::{Definition, Format, Kind, Sides};
 use super::value::{Value, degrees_and_minutes};
-use super::{Item, Sentence};
 use crate::geo::Position;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -87,9 +86,9 @@ impl<'o> Writer<'o> {
     fn member(&mut self, kind: &Kind, cell: &Cell<'_>) {
         self.comma();
         match kind {
-            Kind::Number(format) | Kind::Integer(format) => self.number(format, cell, false),
+            Kind::Number(format) | Kind::Integer(format) => self.number(format, cell),
             Kind::Lettered(format, letter) => {
-                self.number(format, cell, false);
+                self.number(format, cell);
                 self.comma();
                 self.out.push(*letter);
             }
@@ -108,9 +107,9 @@ impl<'o> Writer<'o> {
         }
     }
 
-    fn number(&mut self, format: &Format, cell: &Cell<'_>, unsigned: bool) {
+    fn number(&mut self, format: &Format, cell: &Cell<'_>) {
         if let Some(number) = decimal(format, cell) {
-            number.write(self.out, unsigned);
+            number.write(self.out, false);
         }
     }
 
@@ -127,22 +126,6 @@ impl<'o> Writer<'o> {
                 sides.positive
             };
             self.out.push(side);
-        }
-    }
-
-    /// A fixed letter as it stood: there, or left out.
-    fn letter(&mut self, raw: u8, letter: u8) {
-        self.comma();
-        if raw != 0 {
-            self.out.push(letter);
-        }
-    }
-
-    /// A side as it stood.
-    fn side(&mut self, raw: u8, sides: Sides) {
-        self.comma();
-        if raw == sides.negative || raw == sides.positive {
-            self.out.push(raw);
         }
     }
 
@@ -192,11 +175,7 @@ impl<'o> Writer<'o> {
             Cell::Value(Value::Number(number)) => (number.mantissa(), number.whole()),
             _ => return,
         };
-        let needed = (64 - number.leading_zeros()).div_ceil(4) as u8;
-        for i in (0..digits.max(needed).max(1)).rev() {
-            let digit = number.checked_shr(u32::from(i) * 4).unwrap_or(0) & 15;
-            self.out.push(HEX[digit as usize]);
-        }
+        hex_digits_of(number, digits, |digit| self.out.push(digit));
     }
 
     fn plain(&mut self, cell: &Cell<'_>, limit: u8) {
@@ -246,18 +225,32 @@ impl<'o> Writer<'o> {
     }
 }
 
+/// The hexadecimal digits of a number, at least so many.
+#[inline(always)]
+pub(super) fn hex_digits_of(number: u64, digits: u8, mut put: impl FnMut(u8)) {
+    let needed = (64 - number.leading_zeros()).div_ceil(4) as u8;
+    for i in (0..digits.max(needed).max(1)).rev() {
+        let digit = number.checked_shr(u32::from(i) * 4).unwrap_or(0) & 15;
+        put(HEX[digit as usize]);
+    }
+}
+
+/// `*` and the two digits of an exclusive-or, whose lanes are still apart.
+#[inline(always)]
+pub(super) fn checksum(lanes: u64) -> [u8; 3] {
+    let sum = lanes.to_ne_bytes().iter().fold(0, |sum, b| sum ^ b);
+    [b'*', HEX[usize::from(sum >> 4)], HEX[usize::from(sum & 15)]]
+}
+
 /// Adds the checksum to the line that begins with `$` or `!` at `start`.
 fn close(out: &mut Vec<u8>, start: usize) {
     let (words, rest) = out[(start + 1).min(out.len())..].as_chunks::<8>();
-    let wide = words
+    let lanes = words
         .iter()
-        .fold(0, |sum, word| sum ^ u64::from_ne_bytes(*word));
-    let sum = wide
-        .to_ne_bytes()
-        .iter()
-        .chain(rest)
-        .fold(0, |sum, b| sum ^ b);
-    out.extend_from_slice(&[b'*', HEX[usize::from(sum >> 4)], HEX[usize::from(sum & 15)]]);
+        .map(|word| u64::from_ne_bytes(*word))
+        .chain(rest.iter().map(|byte| u64::from(*byte)))
+        .fold(0, |sum, lane| sum ^ lane);
+    out.extend_from_slice(&checksum(lanes));
 }
 
 /// A line as text: ISO 8859-1.
@@ -292,114 +285,4 @@ fn decimal(format: &Format, cell: &Cell<'_>) -> Option<Decimal> {
         Cell::Value(Value::Number(number)) => Some(number),
         _ => None,
     }
-}
-
-/// The typed values of a sentence, ready to be written again as often as wanted.
-///
-/// ```
-/// use wheelover_core::nmea::{decode, Values};
-/// let sentence = decode(b"$HEHDT,216.80,T*12");
-/// let values = Values::of(&sentence).expect("a known sentence");
-/// let mut port = Vec::new();
-/// values.write(&mut port);
-/// assert_eq!(port, b"$HEHDT,216.80,T*12");
-/// ```
-#[derive(Clone, Debug)]
-pub struct Values<'a> {
-    definition: &'static Definition,
-    address: &'a str,
-    talker: &'a str,
-    /// Fields that are written.
-    count: usize,
-    items: Vec<(&'static Kind, Cell<'a>, [u8; 2])>,
-}
-
-impl<'a> Values<'a> {
-    /// All values of a decoded sentence; none where its formatter is unknown.
-    #[must_use]
-    pub fn of(sentence: &Sentence<'a>) -> Option<Self> {
-        let mut items = Vec::with_capacity(16);
-        sentence.visit(
-            &mut |item: Item<'a>| {
-                // Letters behind a magnitude; 0 where there is none.
-                let raw = |offset: usize| match sentence.fields.get(item.field + offset) {
-                    [letter] => *letter,
-                    [] => 0,
-                    _ => b'?',
-                };
-                let cell = if item.value.is_null() {
-                    Cell::Null
-                } else {
-                    Cell::Value(item.value)
-                };
-                items.push((item.kind, cell, [raw(1), raw(2)]));
-            },
-            &mut Vec::new(),
-        );
-        Some(Self {
-            definition: sentence.known?,
-            address: sentence.address,
-            talker: sentence.talker,
-            count: sentence.fields.len(),
-            items,
-        })
-    }
-
-    /// Appends the line with its checksum, without CR LF; faulty fields are empty.
-    pub fn write(&self, out: &mut Vec<u8>) {
-        let mut writer = Writer::new(out, self.definition, self.talker);
-        if self.definition.formatter.len() == 1 {
-            writer.out.truncate(writer.start + 1);
-            writer.out.extend_from_slice(self.address.as_bytes());
-        }
-        for (kind, cell, raw) in &self.items {
-            match kind {
-                // A letter that was left out stays out; a side without a magnitude stays.
-                Kind::Lettered(format, letter) => {
-                    writer.comma();
-                    writer.number(format, cell, false);
-                    writer.letter(raw[0], *letter);
-                }
-                Kind::Sided(format, sides) => {
-                    writer.comma();
-                    writer.number(format, cell, true);
-                    writer.side(raw[0], *sides);
-                }
-                Kind::Crossed(format, sides, letter) => {
-                    writer.comma();
-                    writer.number(format, cell, true);
-                    writer.side(raw[0], *sides);
-                    writer.letter(raw[1], *letter);
-                }
-                kind => writer.member(kind, cell),
-            }
-        }
-        // A line that ends inside a member, or behind the last one.
-        for _ in self.count..writer.fields {
-            let comma = writer.out.iter().rposition(|&b| b == b',');
-            writer.out.truncate(comma.unwrap_or(writer.out.len()));
-        }
-        let missing = self.count.saturating_sub(writer.fields);
-        writer.out.resize(writer.out.len() + missing, b',');
-        let start = writer.start;
-        close(out, start);
-    }
-}
-
-/// Encodes the values of a decoded sentence again, with as many fields as it had.
-///
-/// A canonical line comes back byte for byte; faulty fields come back empty. None where the formatter is unknown.
-///
-/// ```
-/// use wheelover_core::nmea::{decode, encode};
-/// let line = "$AGRSA,03.2,A,,V*4E";
-/// assert_eq!(encode(&decode(line.as_bytes())).as_deref(), Some(line));
-/// // Another checksum, another field: what is wrong is left out.
-/// assert_eq!(encode(&decode(b"$AGRSA,wrong,A,,V*00")).as_deref(), Some("$AGRSA,,A,,V*51"));
-/// ```
-#[must_use]
-pub fn encode(sentence: &Sentence<'_>) -> Option<String> {
-    let mut out = Vec::with_capacity(96);
-    Values::of(sentence)?.write(&mut out);
-    Some(text(out))
 }

@@ -61,6 +61,7 @@ mod table;
 mod tables;
 mod tag;
 mod value;
+mod values;
 mod view;
 
 #[cfg(test)]
@@ -71,7 +72,7 @@ pub use codes::*;
 pub use decimal::Decimal;
 pub use decode::{Checksum, Item, Sentence, decode, decode_for_picture};
 pub(crate) use ear::Ear;
-pub use encode::{Values, encode, with_checksum};
+pub use encode::with_checksum;
 pub use explain::explain;
 pub use fault::{Fault, FaultKind};
 pub use framer::{Frame, FrameKind, Framer};
@@ -84,3 +85,4 @@ pub use tables::*;
 pub use tag::{TagBlock, TagGroup};
 pub(crate) use value::unescape;
 pub use value::{Date, UtcTime, Value};
+pub use values::{Values, encode};
