@@ -179,14 +179,14 @@ impl Checker {
 
     fn sentence(&mut self, at: Option<f64>, sentence: &Sentence<'_>, out: &mut Vec<Breach>) {
         match sentence.formatter {
-            "HTC" => self.chart_talker = sentence.talker.into(),
-            "HTD" => self.autopilot_talker = sentence.talker.into(),
+            "HTC" => self.chart_talker = sentence.talker().into(),
+            "HTD" => self.autopilot_talker = sentence.talker().into(),
             _ => {}
         }
         let of_chart = CHART.contains(&sentence.formatter)
-            && (sentence.talker == self.chart_talker || sentence.talker == "P");
+            && (sentence.talker() == self.chart_talker || sentence.talker() == "P");
         let of_autopilot =
-            AUTOPILOT.contains(&sentence.formatter) && sentence.talker == self.autopilot_talker;
+            AUTOPILOT.contains(&sentence.formatter) && sentence.talker() == self.autopilot_talker;
         self.sentences += u64::from(of_chart || of_autopilot);
         if of_chart && self.ends_burst(at, sentence.formatter) {
             self.close(out);

@@ -24,7 +24,7 @@ fn repaired(line: &str) -> String {
 fn describe(line: &str) -> String {
     let text = repaired(line);
     let sentence = decode(text.as_bytes());
-    let mut out = format!("{line}\n  {} {}", sentence.talker, sentence.formatter);
+    let mut out = format!("{line}\n  {} {}", sentence.talker(), sentence.formatter);
     match (sentence.known, sentence.checksum) {
         (None, _) => out.push_str(" unknown"),
         (_, Checksum::Right(_)) => {}

@@ -164,7 +164,7 @@ fn each_sentence(line: &[u8], sink: &mut dyn FnMut(&[u8])) {
 /// Whether a line counts as a sentence: right checksum, or none and nothing wrong with a known one.
 fn is_valid(sentence: &Sentence<'_>) -> bool {
     match sentence.checksum {
-        Checksum::Right(_) => !sentence.address.is_empty(),
+        Checksum::Right(_) => !sentence.address().is_empty(),
         Checksum::Wrong { .. } => false,
         Checksum::Missing { .. } => sentence.known.is_some() && sentence.field_faults().is_empty(),
     }

@@ -204,7 +204,7 @@ pub fn latin1(text: &str) -> Vec<u8> {
 
 /// The address without its talker, or what stands for it.
 fn lane_name(sentence: &nmea::Sentence<'_>) -> String {
-    match (sentence.talker, sentence.formatter) {
+    match (sentence.talker(), sentence.formatter) {
         (_, "") => "?".to_owned(),
         // A maker's sentences are told apart by their first field.
         ("P", maker) if !maker.contains(',') => {

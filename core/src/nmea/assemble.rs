@@ -187,7 +187,7 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
         let text = core::str::from_utf8(sentence.fields.get(n)).ok()?;
         u32::from_str_radix(text, radix).ok()
     };
-    let mut key = String::from(sentence.address);
+    let mut key = String::from(sentence.address());
     for &mark in marks {
         key.push(',');
         key.extend(

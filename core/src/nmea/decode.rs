@@ -3,9 +3,9 @@
 //! **Invariant:** decoding never fails and never panics; nothing is allocated where nothing is wrong.
 
 use super::fault::{Fault, FaultKind};
-use super::known::{Known, OfPicture, Whole};
+use super::known::{Known, OfPicture, Whole, identify, text_of};
 use super::read::{read, read_here};
-use super::scan::{FieldList, LONGEST_BODY, Places};
+use super::scan::{Cursor, FieldList, LONGEST_BODY};
 use super::table::{Definition, Kind, Repeat};
 use super::tag::TagBlock;
 use super::value::{Value, hex_byte, hex_digits};
@@ -57,10 +57,6 @@ pub struct Sentence<'a> {
     pub text: &'a [u8],
     /// Its TAG block.
     pub tag: Option<TagBlock<'a>>,
-    /// Its address, such as `EIHTC` or `PNEY`; empty where it cannot be read.
-    pub address: &'a str,
-    /// Its talker; `P` for a proprietary sentence.
-    pub talker: &'a str,
     /// Its formatter, such as `HTC` or `PNEY,001`.
     pub formatter: &'a str,
     /// Its checksum.
@@ -139,19 +135,11 @@ fn decode_knowing<K: Known>(line: &[u8]) -> Sentence<'_> {
         },
         None => Checksum::Missing { computed },
     };
-    let head = fields.address();
-    let address = core::str::from_utf8(head).unwrap_or("");
-    let (talker, formatter, known) = if address.len() > 1 && address.starts_with('P') {
-        identify_maker::<K>(address, &fields)
-    } else {
-        identify::<K>(address)
-    };
+    let (formatter, known) = identify::<K>(&fields);
     Sentence {
         raw,
         text,
         tag,
-        address,
-        talker,
         formatter,
         checksum,
         known,
@@ -187,36 +175,24 @@ fn name_last(faults: &mut [Fault], before: usize, last: usize) {
     }
 }
 
-/// Talker, formatter and definition of an address.
-type Identity<'a> = (&'a str, &'a str, Option<&'static Definition>);
-
-#[inline(always)]
-fn identify<K: Known>(address: &str) -> Identity<'_> {
-    match address.split_at_checked(2) {
-        Some((talker, formatter)) if formatter.len() == 3 => {
-            let known = K::formatter(formatter);
-            if known.is_none() && formatter.ends_with('Q') {
-                (talker, formatter, K::query())
-            } else {
-                (talker, formatter, known)
-            }
-        }
-        _ => ("", address, None),
-    }
-}
-
-/// A proprietary sentence: `PNEY,001` and its like stand in the dictionary with their sub-address.
-#[inline(never)]
-fn identify_maker<'a, K: Known>(address: &'a str, fields: &FieldList<'a>) -> Identity<'a> {
-    let head = fields.places().field(0).head;
-    let whole = core::str::from_utf8(head).unwrap_or(address);
-    match K::proprietary(whole) {
-        Some(known) => (&address[..1], whole, Some(known)),
-        None => (&address[..1], address, None),
-    }
-}
-
 impl<'a> Sentence<'a> {
+    /// Its address, such as `EIHTC` or `PNEY`; empty where it cannot be read.
+    #[must_use]
+    pub fn address(&self) -> &'a str {
+        text_of(self.fields.address())
+    }
+
+    /// Its talker; `P` for a proprietary sentence, empty where there is none.
+    #[must_use]
+    pub fn talker(&self) -> &'a str {
+        let address = self.address();
+        match address.split_at_checked(2) {
+            _ if address.len() > 1 && address.starts_with('P') => &address[..1],
+            Some((talker, formatter)) if formatter.len() == 3 => talker,
+            _ => "",
+        }
+    }
+
     /// Visits every member with its value, and every fault of the fields.
     #[inline]
     pub fn walk(&self, item: impl FnMut(Item<'a>), faults: &mut Vec<Fault>) {
@@ -231,46 +207,47 @@ impl<'a> Sentence<'a> {
     #[inline(always)]
     fn walk_by(
         &self,
-        read: impl Fn(&Kind, &Places<'a>, usize, &mut Vec<Fault>) -> Value<'a>,
+        read: impl Fn(&Kind, &mut Cursor<'a>, &mut Vec<Fault>) -> Option<Value<'a>>,
         mut item: impl FnMut(Item<'a>),
         faults: &mut Vec<Fault>,
     ) {
         let Some(definition) = self.known else { return };
-        let places = self.fields.places();
-        let mut at = definition.first();
+        let before = faults.len();
+        let mut cursor = self.fields.cursor();
+        if definition.first() > 0 {
+            cursor.part();
+        }
         let entries = match definition.group {
             None => 0,
             Some(_) => group_count(definition, &self.fields),
         };
         // The fixed members, each entry of the group, the tail.
         let (mut members, mut entry, mut in_tail) = (definition.members, 0, false);
-        loop {
+        'line: loop {
             for (index, kind) in members.iter().enumerate() {
-                if at >= places.len() {
-                    return;
-                }
-                let before = faults.len();
-                let value = read(kind, &places, at, faults);
+                let field = cursor.taken() + 1;
+                let Some(value) = read(kind, &mut cursor, faults) else {
+                    break 'line;
+                };
                 item(Item {
-                    field: at + 1,
+                    field,
                     kind,
                     entry,
                     index,
                     in_tail,
                     value,
                 });
-                at += kind.width();
-                if at > places.len() && faults.len() > before {
-                    name_last(faults, before, places.len());
-                }
             }
             match &definition.group {
                 Some(group) if entry < entries && !in_tail => {
                     (members, entry) = (group.members, entry + 1);
                 }
                 Some(_) if !in_tail => (members, entry, in_tail) = (definition.tail, 0, true),
-                _ => return,
+                _ => break,
             }
+        }
+        if faults.len() > before {
+            name_last(faults, before, self.fields.len());
         }
     }
 
@@ -319,11 +296,11 @@ impl<'a> Sentence<'a> {
             let length = u16::try_from(self.text.len() + 2).unwrap_or(u16::MAX);
             faults.push(Fault::line(FaultKind::TooLong(length)));
         }
-        let plain = self
-            .address
+        let address = self.address();
+        let plain = address
             .bytes()
             .all(|b| b.is_ascii_uppercase() || b.is_ascii_digit());
-        if self.address.is_empty() || !plain || self.talker.is_empty() {
+        if address.is_empty() || !plain || self.talker().is_empty() {
             faults.push(Fault::line(FaultKind::BadAddress));
         }
         if let Some(definition) = self.known {

@@ -278,9 +278,10 @@ fn member<'a>(
                     degrees,
                     decimals: 0,
                 };
-                let at = item.field - 1 + offset;
-                let value = read(&kind, &sentence.fields.places(), at, &mut Vec::new());
-                value.number().map_or(FieldValue::None, FieldValue::Number)
+                let mut cursor = sentence.fields.cursor_at(item.field - 1 + offset);
+                let value = read(&kind, &mut cursor, &mut Vec::new());
+                let number = value.and_then(|value| value.number());
+                number.map_or(FieldValue::None, FieldValue::Number)
             };
             let (lat, lon) = (half(0, 2), half(2, 3));
             let unit = Some("deg");

@@ -127,8 +127,8 @@ pub fn json_line(line: u64, at: Option<f64>, sentence: &Sentence<'_>) -> JsonLin
         line,
         at: at.or_else(|| sentence.tag.and_then(|tag| tag.time())),
         raw: latin1(sentence.raw),
-        address: sentence.address.to_string(),
-        talker: sentence.talker.to_string(),
+        address: sentence.address().to_string(),
+        talker: sentence.talker().to_string(),
         sentence: sentence.formatter.to_string(),
         title: explanation.title,
         checksum: JsonChecksum {

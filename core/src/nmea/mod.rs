@@ -37,6 +37,7 @@
 //! **Invariant:** decoding never fails, obeying is strict: only [`steering`] makes a command of a line.
 
 pub mod ais;
+mod angles;
 mod assemble;
 mod codes;
 mod decimal;

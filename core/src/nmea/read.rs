@@ -1,43 +1,42 @@
 //! Reads one member from its raw fields: the value, and the faults found on the way (SEN-4, SEN-6).
 
-use super::decimal::{Decimal, POW10};
+use super::angles::{date, position, single_angle, time};
+use super::decimal::Decimal;
 use super::fault::{Fault, FaultKind};
-use super::scan::{Field, Places, last};
+use super::scan::{Cursor, Field};
 use super::table::{Format, Kind, Sides};
 use super::value::{Value, hex_byte, hex_digit};
 use alloc::vec::Vec;
 
-/// The value of the member whose first field has index `at` (from 0).
+/// The value of the member that begins with the next field; none behind the last.
 #[inline(never)]
 pub(crate) fn read<'a>(
     kind: &Kind,
-    places: &Places<'a>,
-    at: usize,
+    fields: &mut Cursor<'a>,
     faults: &mut Vec<Fault>,
-) -> Value<'a> {
-    read_here(kind, places, at, faults)
+) -> Option<Value<'a>> {
+    read_here(kind, fields, faults)
 }
 
 /// As [`read`], in the caller: the value need not pass through memory.
 #[inline(always)]
 pub(crate) fn read_here<'a>(
     kind: &Kind,
-    places: &Places<'a>,
-    at: usize,
+    fields: &mut Cursor<'a>,
     faults: &mut Vec<Fault>,
-) -> Value<'a> {
-    let n = at + 1;
-    let field = places.field(at);
-    match kind {
+) -> Option<Value<'a>> {
+    let field = fields.next()?;
+    let n = fields.taken();
+    Some(match kind {
         Kind::Number(format) => number(field, format, n, faults),
         Kind::Lettered(format, letter) => {
             let value = number(field, format, n, faults);
-            lettered(value, places.field(at + 1), *letter, n + 1, faults)
+            lettered(value, fields.part(), *letter, n + 1, faults)
         }
-        Kind::Sided(format, sides) => sided(field, places.field(at + 1), format, *sides, n, faults),
+        Kind::Sided(format, sides) => sided(field, fields.part(), format, *sides, n, faults),
         Kind::Crossed(format, sides, letter) => {
-            let value = sided(field, places.field(at + 1), format, *sides, n, faults);
-            lettered(value, places.field(at + 2), *letter, n + 2, faults)
+            let value = sided(field, fields.part(), format, *sides, n, faults);
+            lettered(value, fields.part(), *letter, n + 2, faults)
         }
         Kind::Integer(format) => match number(field, format, n, faults) {
             Value::Number(number) if number.scale() != 0 => {
@@ -45,13 +44,13 @@ pub(crate) fn read_here<'a>(
             }
             value => value,
         },
-        Kind::Code(letters) => match field.text() {
-            [] => Value::Null,
-            [letter] if letters.contains(letter) => Value::Code(*letter),
+        Kind::Code(letters) => match field.letter() {
+            Some(letter) if letters.contains(&letter) => Value::Code(letter),
+            None if field.is_empty() => Value::Null,
             _ => fault(faults, n, FaultKind::UnknownCode),
         },
         Kind::Position(_) => {
-            let rest = [1, 2, 3].map(|offset| places.field(at + offset));
+            let rest = [fields.part(), fields.part(), fields.part()];
             position(field, rest, n, faults)
         }
         Kind::Time => match time(field.head, field.length) {
@@ -63,44 +62,40 @@ pub(crate) fn read_here<'a>(
             None => null_or_fault(field, n, faults, FaultKind::BadDate),
         },
         Kind::Text(limit) => text(field.text(), *limit, n, faults),
-        Kind::Angle { degrees, .. } => {
-            single_angle(field, places.field(at + 1), *degrees, n, faults)
-        }
+        Kind::Angle { degrees, .. } => single_angle(field, fields.part(), *degrees, n, faults),
         Kind::Hex(_) => hex(field.text(), n, faults),
         Kind::Payload => payload(field.text(), n, faults),
         Kind::Any => match field.text() {
             [] => Value::Null,
             text => Value::Text(text),
         },
-    }
+    })
 }
 
 #[cold]
 #[inline(never)]
-fn fault<'a>(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) -> Value<'a> {
+pub(super) fn fault<'a>(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) -> Value<'a> {
     faults.push(Fault::at(n - 1, kind));
     Value::Invalid
 }
 
 #[inline(always)]
 fn number<'a>(field: Field<'a>, format: &Format, n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    match measure(field.head, field.length, format) {
-        Some(number) => Value::Number(number),
-        None if field.is_empty() => Value::Null,
-        None => wrong_number(field.head, field.length, format, n, faults),
+    if field.length.wrapping_sub(1) < 8
+        && let Some(number) = Decimal::short(field.head, field.length)
+        && number.within(format.low, format.high)
+    {
+        return Value::Number(number);
     }
+    if field.is_empty() {
+        return Value::Null;
+    }
+    long_number(field.head, field.length, format, n, faults)
 }
 
-/// The number within its range.
-#[inline(always)]
-fn measure(head: &[u8], length: usize, format: &Format) -> Option<Decimal> {
-    Decimal::parse_last(head, length).filter(|number| number.within(format.low, format.high))
-}
-
-/// What is wrong with a number.
-#[cold]
+/// Numbers of more than eight characters or of a strange form.
 #[inline(never)]
-fn wrong_number<'a>(
+fn long_number<'a>(
     head: &[u8],
     length: usize,
     format: &Format,
@@ -108,6 +103,7 @@ fn wrong_number<'a>(
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
     match Decimal::parse_apart(head, length) {
+        Some(number) if number.within(format.low, format.high) => Value::Number(number),
         Some(_) => out_of_range(faults, n, format),
         None => fault(faults, n, FaultKind::NotANumber),
     }
@@ -144,33 +140,37 @@ fn lettered<'a>(
     n: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
-    match field.text() {
-        [] => value,
-        [there] if *there == letter => value,
-        _ => {
-            let invalid = fault(faults, n, FaultKind::WrongLetter(letter));
-            if value.is_null() { value } else { invalid }
-        }
+    if field.letter() == Some(letter) || field.is_empty() {
+        return value;
     }
+    let invalid = fault(faults, n, FaultKind::WrongLetter(letter));
+    if value.is_null() { value } else { invalid }
 }
 
 /// Whether the side is the negative one; none where it is missing or unknown.
 #[inline(always)]
-fn side(field: Field<'_>, sides: Sides, n: usize, faults: &mut Vec<Fault>) -> Option<bool> {
-    match field.text() {
-        [letter] if *letter == sides.positive => Some(false),
-        [letter] if *letter == sides.negative => Some(true),
-        text => {
-            wrong_side(text, n, faults);
-            None
+pub(super) fn side(
+    field: Field<'_>,
+    sides: Sides,
+    n: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<bool> {
+    if let Some(letter) = field.letter() {
+        // Without a branch, as it cannot be foreseen which side it is.
+        let other = letter ^ sides.positive;
+        let negative = other != 0;
+        if other == (sides.positive ^ sides.negative) & 0u8.wrapping_sub(u8::from(negative)) {
+            return Some(negative);
         }
     }
+    wrong_side(field, n, faults);
+    None
 }
 
 #[cold]
 #[inline(never)]
-fn wrong_side(text: &[u8], n: usize, faults: &mut Vec<Fault>) {
-    let kind = if text.is_empty() {
+fn wrong_side(field: Field<'_>, n: usize, faults: &mut Vec<Fault>) {
+    let kind = if field.is_empty() {
         FaultKind::MissingPart
     } else {
         FaultKind::UnknownCode
@@ -200,142 +200,6 @@ fn sided<'a>(
             value
         }
     }
-}
-
-/// Degrees and minutes up to `LIMIT`, unsigned, with so many digits before the point.
-#[inline(never)]
-fn angle<const DIGITS: usize, const LIMIT: u64>(head: &[u8], length: usize) -> Option<Decimal> {
-    let angle = Decimal::parse_with::<DIGITS>(head, length)?;
-    // The tens of the minutes stand behind the degrees.
-    let tens = last(head, length).get(DIGITS - 2)?;
-    let right = !angle.signed()
-        && usize::from(angle.whole()) == DIGITS
-        && angle.scale() <= 14
-        && angle.mantissa() <= LIMIT * POW10[usize::from(angle.scale())]
-        && *tens < b'6';
-    right.then_some(angle)
-}
-
-/// What is wrong with an angle.
-#[cold]
-#[inline(never)]
-fn wrong_angle(head: &[u8], length: usize, degrees: u8, n: usize, faults: &mut Vec<Fault>) {
-    let kind = match Decimal::parse_apart(head, length) {
-        _ if length == 0 => FaultKind::MissingPart,
-        Some(angle) if !angle.signed() && angle.scale() <= 14 => {
-            let minute = POW10[usize::from(angle.scale())];
-            let minutes = angle.mantissa() % (100 * minute);
-            if angle.whole() != degrees + 2 {
-                FaultKind::BadWidth {
-                    found: angle.whole(),
-                    expected: degrees + 2,
-                }
-            } else if minutes >= 60 * minute {
-                FaultKind::MinutesTooLarge(Decimal::new(false, minutes, angle.scale(), 2))
-            } else {
-                FaultKind::OutOfRange {
-                    low: 0,
-                    high: if degrees == 2 { 9_000 } else { 18_000 },
-                }
-            }
-        }
-        _ => FaultKind::NotANumber,
-    };
-    fault(faults, n, kind);
-}
-
-const NS: Sides = Sides {
-    negative: b'S',
-    positive: b'N',
-};
-const EW: Sides = Sides {
-    negative: b'W',
-    positive: b'E',
-};
-
-/// A latitude of two digits of degrees or a longitude of three, and its side.
-#[inline(always)]
-fn half(
-    field: Field<'_>,
-    letter: Field<'_>,
-    degrees: u8,
-    n: usize,
-    faults: &mut Vec<Fault>,
-) -> Option<Decimal> {
-    let value = match degrees {
-        2 => angle::<4, 9_000>(field.head, field.length),
-        _ => angle::<5, 18_000>(field.head, field.length),
-    };
-    if value.is_none() {
-        wrong_angle(field.head, field.length, degrees, n, faults);
-    }
-    let sides = if degrees == 2 { NS } else { EW };
-    let negative = side(letter, sides, n + 1, faults);
-    Some(value?.with_negative(negative?))
-}
-
-#[inline(always)]
-fn position<'a>(
-    field: Field<'a>,
-    rest: [Field<'a>; 3],
-    n: usize,
-    faults: &mut Vec<Fault>,
-) -> Value<'a> {
-    let [north, longitude, east] = rest;
-    if field.is_empty() && rest.iter().all(|field| field.is_empty()) {
-        return Value::Null;
-    }
-    let latitude = half(field, north, 2, n, faults);
-    let longitude = half(longitude, east, 3, n + 2, faults);
-    match (latitude, longitude) {
-        (Some(latitude), Some(longitude)) => Value::Position(latitude, longitude),
-        _ => Value::Invalid,
-    }
-}
-
-#[inline(never)]
-fn single_angle<'a>(
-    field: Field<'a>,
-    letter: Field<'a>,
-    degrees: u8,
-    n: usize,
-    faults: &mut Vec<Fault>,
-) -> Value<'a> {
-    if field.is_empty() && letter.is_empty() {
-        return Value::Null;
-    }
-    half(field, letter, degrees, n, faults).map_or(Value::Invalid, Value::Angle)
-}
-
-#[inline(never)]
-fn time(head: &[u8], length: usize) -> Option<Decimal> {
-    let time = Decimal::parse_with::<6>(head, length)?;
-    let &[h, hours, m, minutes, s, seconds, ..] = last(head, length) else {
-        return None;
-    };
-    // Digits all, as the number was read.
-    let below = |tens: u8, ones: u8, limit: [u8; 2]| [tens, ones] < limit;
-    let right = time.whole() == 6
-        && !time.signed()
-        && below(h, hours, *b"24")
-        && below(m, minutes, *b"60")
-        && below(s, seconds, *b"61");
-    right.then_some(time)
-}
-
-#[inline(never)]
-fn date(head: &[u8], length: usize) -> Option<Decimal> {
-    let date = Decimal::parse_last(head, length)?;
-    let digits = date.mantissa() as u32;
-    let longest = match digits / 100 % 100 {
-        2 if digits.is_multiple_of(4) => 29,
-        2 => 28,
-        4 | 6 | 9 | 11 => 30,
-        1..=12 => 31,
-        _ => 0,
-    };
-    let right = length == 6 && date.whole() == 6 && (1..=longest).contains(&(digits / 10_000));
-    right.then_some(date)
 }
 
 fn text<'a>(field: &'a [u8], limit: u8, n: usize, faults: &mut Vec<Fault>) -> Value<'a> {

@@ -21,20 +21,22 @@ impl<'a> FieldList<'a> {
     pub(crate) fn scan(body: &'a [u8]) -> (Self, u8) {
         let mut separators = [0; 4];
         let mut xor = 0;
-        for (bits, block) in separators.iter_mut().zip(body.chunks(64)) {
-            let (chunks, rest) = block.as_chunks::<16>();
+        for (bits, part) in separators.iter_mut().zip(body.chunks(64)) {
+            let (chunks, rest) = part.as_chunks::<16>();
+            let mut others = 0;
             let mut at = 0;
             for chunk in chunks {
                 let (low, high) = halves(chunk);
                 xor ^= low ^ high;
-                *bits |= (commas_of(low) | commas_of(high) << 8) << at;
+                others |= (others_of(low) | others_of(high) << 8) << at;
                 at += 16;
             }
             if !rest.is_empty() {
                 let (low, high) = last_bytes(body, rest.len());
                 xor ^= low ^ high;
-                *bits |= (commas_of(low) | commas_of(high) << 8) << (at & 63);
+                others |= (others_of(low) | others_of(high) << 8) << (at & 63);
             }
+            *bits = !others & u64::MAX >> ((64 - part.len()) & 63);
         }
         separators[(body.len() / 64) & 3] |= 1 << (body.len() & 63);
         let mut list = Self { body, separators };
@@ -78,12 +80,12 @@ impl<'a> FieldList<'a> {
     }
     /// Field with index `at`, counted from 0; empty where there is none.
     pub(crate) fn at(&self, at: usize) -> &'a [u8] {
-        self.places().field(at).text()
+        self.cursor_at(at).next().map_or(&[], Field::text)
     }
     /// All fields in order.
     pub fn iter(&self) -> impl Iterator<Item = &'a [u8]> + '_ {
-        let places = self.places();
-        (0..self.len()).map(move |at| places.field(at).text())
+        let mut cursor = self.cursor();
+        core::iter::from_fn(move || cursor.next().map(Field::text))
     }
     /// The body up to the first separator.
     #[inline(always)]
@@ -96,30 +98,33 @@ impl<'a> FieldList<'a> {
                 .unwrap_or(self.body),
         }
     }
-    /// Where each field stands, to be asked for many of them.
+    /// The fields one after the other, from the first on.
     #[inline(always)]
-    pub(crate) fn places(&self) -> Places<'a> {
-        let mut places = Places {
+    pub(crate) fn cursor(&self) -> Cursor<'a> {
+        let [bits, behind @ ..] = self.separators;
+        let mut cursor = Cursor {
             body: self.body,
-            separators: [0; MAX_FIELDS + 1],
-            count: 0,
+            bits,
+            behind,
+            base: 0,
+            start: 0,
+            taken: 0,
         };
-        let mut next = 0;
-        for (base, &word) in (0..).step_by(64).zip(&self.separators) {
-            let mut bits = word;
-            while bits != 0
-                && let Some(separator) = places.separators.get_mut(next)
-            {
-                *separator = (base + bits.trailing_zeros()) as u8;
-                next += 1;
-                bits &= bits - 1;
-            }
-            if base as usize + 64 > self.body.len() {
+        // The address is none.
+        cursor.next();
+        cursor.taken = 0;
+        cursor
+    }
+    /// The fields from index `at` (from 0) on.
+    pub(crate) fn cursor_at(&self, at: usize) -> Cursor<'a> {
+        let mut cursor = self.cursor();
+        for _ in 0..at {
+            if cursor.next().is_none() {
                 break;
             }
         }
-        places.count = next.saturating_sub(1);
-        places
+        cursor.taken = at;
+        cursor
     }
 }
 
@@ -131,38 +136,52 @@ impl core::fmt::Debug for FieldList<'_> {
     }
 }
 
-/// Where each field of a line stands.
-pub(crate) struct Places<'a> {
+/// Gives the fields of a line one after the other.
+pub(crate) struct Cursor<'a> {
     body: &'a [u8],
-    /// Offset of the separator before each field, and of the end; zeros behind.
-    separators: [u8; MAX_FIELDS + 1],
-    count: usize,
+    /// Separators not yet passed: those of the word at hand, and the words behind it.
+    bits: u64,
+    behind: [u64; 3],
+    /// Offset of the word at hand.
+    base: usize,
+    /// Offset of the next field.
+    start: usize,
+    /// How many fields were asked for.
+    taken: usize,
 }
 
-impl<'a> Places<'a> {
-    /// How many fields there are.
+impl<'a> Cursor<'a> {
+    /// How many fields were asked for, those behind the end too.
     #[inline(always)]
-    pub(crate) const fn len(&self) -> usize {
-        self.count
+    pub(crate) const fn taken(&self) -> usize {
+        self.taken
     }
-    /// Field with index `at`, counted from 0; empty where there is none.
+    /// The next field; none behind the last.
     #[inline(always)]
-    pub(crate) fn field(&self, at: usize) -> Field<'a> {
-        if at >= MAX_FIELDS {
-            return Field {
-                head: &[],
-                length: 0,
-            };
+    pub(crate) fn next(&mut self) -> Option<Field<'a>> {
+        self.taken += 1;
+        while self.bits == 0 {
+            if self.start > self.body.len() {
+                return None;
+            }
+            let [next, further @ ..] = self.behind;
+            (self.bits, self.behind) = (next, [further[0], further[1], 0]);
+            self.base += 64;
         }
-        let (before, end) = (
-            usize::from(self.separators[at]),
-            usize::from(self.separators[at + 1]),
-        );
-        Field {
-            head: self.body.get(..end).unwrap_or(&[]),
-            // Behind the last field the end is zero.
-            length: end.saturating_sub(before + 1),
-        }
+        let end = self.base + self.bits.trailing_zeros() as usize;
+        self.bits &= self.bits - 1;
+        let length = end.wrapping_sub(self.start);
+        self.start = end + 1;
+        let head = self.body.get(..end)?;
+        Some(Field { head, length })
+    }
+    /// The next field as a part of a member; empty behind the last.
+    #[inline(always)]
+    pub(crate) fn part(&mut self) -> Field<'a> {
+        self.next().unwrap_or(Field {
+            head: &[],
+            length: 0,
+        })
     }
 }
 
@@ -182,6 +201,14 @@ impl<'a> Field<'a> {
     #[inline(always)]
     pub(crate) fn text(self) -> &'a [u8] {
         last(self.head, self.length)
+    }
+    /// The character that stands in it, if it is one.
+    #[inline(always)]
+    pub(crate) fn letter(self) -> Option<u8> {
+        match self.head {
+            [.., letter] if self.length == 1 => Some(*letter),
+            _ => None,
+        }
     }
     /// Whether nothing stands in it, or there is none.
     #[inline(always)]
@@ -229,15 +256,16 @@ fn last_bytes(body: &[u8], length: usize) -> (u64, u64) {
     }
 }
 
-/// One bit a byte of `word` that is a comma, the first byte in the lowest bit.
+/// One bit a byte of `word` that is no comma, the first byte in the lowest bit.
 #[inline(always)]
-const fn commas_of(word: u64) -> u64 {
+const fn others_of(word: u64) -> u64 {
     const COMMAS: u64 = u64::from_ne_bytes([b','; 8]);
     const LOW7: u64 = u64::from_ne_bytes([0x7f; 8]);
+    const HIGH: u64 = u64::from_ne_bytes([0x80; 8]);
     let y = word ^ COMMAS;
-    let found = !(((y & LOW7) + LOW7) | y | LOW7);
+    let found = (((y & LOW7) + LOW7) | y) & HIGH;
     // Gathers the highest bits of the bytes in the highest byte.
-    (found >> 7).wrapping_mul(0x0102_0408_1020_4080) >> 56
+    found.wrapping_mul(0x0002_0408_1020_4081) >> 56
 }
 
 #[cfg(test)]

@@ -66,7 +66,7 @@ impl<'a> Values<'a> {
         let definition = sentence.known?;
         // A sub-address, such as the `001` of `PNEY,001`, is part of the formatter.
         let (head, count) = match definition.first() {
-            0 => (sentence.address, sentence.fields.len()),
+            0 => (sentence.address(), sentence.fields.len()),
             first => (
                 sentence.formatter,
                 sentence.fields.len().saturating_sub(first),

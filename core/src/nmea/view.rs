@@ -2,7 +2,7 @@
 
 use super::encode::Cell;
 use super::read::read;
-use super::scan::Places;
+use super::scan::Cursor;
 use super::table::{Definition, Kind, Repeat};
 use super::value::{Date, UtcTime, Value};
 use super::{FieldList, Sentence};
@@ -13,8 +13,7 @@ use alloc::vec::Vec;
 /// Walks the members of a sentence.
 pub(crate) struct Reader<'s, 'a> {
     fields: &'s FieldList<'a>,
-    places: Places<'a>,
-    at: usize,
+    cursor: Cursor<'a>,
     definition: &'static Definition,
     members: core::slice::Iter<'static, Kind>,
     in_tail: bool,
@@ -28,8 +27,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         }
         Some(Self {
             fields: &sentence.fields,
-            places: sentence.fields.places(),
-            at: definition.first(),
+            cursor: sentence.fields.cursor_at(definition.first()),
             definition,
             members: definition.members.iter(),
             in_tail: false,
@@ -45,9 +43,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         let Some(kind) = self.members.next() else {
             return Value::Null;
         };
-        let value = read(kind, &self.places, self.at, &mut self.faults);
-        self.at += kind.width();
-        value
+        read(kind, &mut self.cursor, &mut self.faults).unwrap_or(Value::Null)
     }
 
     /// The value of the next member.

@@ -45,7 +45,7 @@ impl Picture {
         }
         let source = || Source {
             port,
-            talker: sentence.talker.into(),
+            talker: sentence.talker().into(),
             formatter: sentence.formatter.into(),
         };
         let clean = sentence.faults().is_empty();

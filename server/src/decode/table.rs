@@ -44,7 +44,7 @@ pub(super) fn table(
         out,
         "        {}{}{}  {}  {}{sum_text}{}{}",
         paint(BOLD),
-        safe(&format!("{} {}", sentence.talker, sentence.formatter)),
+        safe(&format!("{} {}", sentence.talker(), sentence.formatter)),
         paint(PLAIN),
         explanation.title.unwrap_or("unknown sentence"),
         paint(sum),

@@ -26,7 +26,13 @@ const fn number_of(digits: u64) -> u64 {
 /// The highest bits of the bytes that are no digits; right up to the first one, which is all that is asked.
 #[inline(always)]
 const fn strange(digits: u64) -> u64 {
-    (digits.wrapping_add(OVER_NINE) | digits) & HIGH
+    over(digits, OVER_NINE)
+}
+
+/// As [`strange`], with other limits than nine: what carries each byte over its own into its highest bit.
+#[inline(always)]
+const fn over(digits: u64, limits: u64) -> u64 {
+    (digits.wrapping_add(limits) | digits) & HIGH
 }
 
 /// The last `length` characters (1 to 8) of `head`, less `0` each; zeros before them.
@@ -107,23 +113,37 @@ impl Decimal {
         }
     }
 
-    /// As [`Self::parse_last`], quicker where `WHOLE` digits (1 to 8) stand before a point and 1 to 8 behind it.
+    /// The most that each of eight digits may be.
+    pub(crate) const fn limits(most: [u8; 8]) -> u64 {
+        u64::from_le_bytes([0x7f; 8]) - u64::from_le_bytes(most)
+    }
+
+    /// A number with `WHOLE` (1 to 8) digits before a point and 1 to 8 behind it; none for all else.
+    ///
+    /// None also where it is not less than `below`, or one of its digits before the point exceeds its [`Self::limits`].
     #[must_use]
     #[inline(always)]
-    pub(crate) fn parse_with<const WHOLE: usize>(head: &[u8], length: usize) -> Option<Self> {
+    pub(crate) fn parse_clock<const WHOLE: usize>(
+        head: &[u8],
+        length: usize,
+        below: u64,
+        limits: u64,
+    ) -> Option<Self> {
         let scale = length.wrapping_sub(WHOLE + 1);
         if scale.wrapping_sub(1) < 8
             && let Some((before, [b'.', ..])) = head.split_at_checked(head.len() - scale - 1)
             && let Some(before) = last_digits(before, WHOLE)
             && let Some(after) = last_digits(head, scale)
-            && strange(before) | strange(after) == 0
+            && over(before, limits) | strange(after) == 0
+            && let whole = number_of(before)
+            && whole < below
         {
             return Some(Self {
-                mantissa: number_of(before) * POW10[scale] + number_of(after),
+                mantissa: whole * POW10[scale] + number_of(after),
                 shape: Shape::new(WHOLE as u8, scale as u8, 0),
             });
         }
-        Self::parse_apart(head, length)
+        None
     }
 
     /// As [`Self::parse_last`], in one copy.
@@ -133,38 +153,43 @@ impl Decimal {
         Self::parse_last(head, length)
     }
 
-    /// At most eight characters: a minus perhaps, digits, a point between them perhaps; none for all else.
+    /// One to eight characters: a minus perhaps, digits, a point between them perhaps; none for all else.
     #[inline(always)]
-    fn short(head: &[u8], length: usize) -> Option<Self> {
+    pub(crate) fn short(head: &[u8], length: usize) -> Option<Self> {
         let mut digits = last_digits(head, length)?;
         let mut odd = strange(digits);
-        if odd == 0 {
-            let shape = Shape::new(length as u8, 0, 0);
-            let mantissa = number_of(digits);
-            return Some(Self { mantissa, shape });
-        }
-        // The last one is the point; before it a minus may be the first.
-        let point = 7 - odd.leading_zeros() / 8;
-        let mut first = 8 - length as u32;
+        let mut whole = length as u32;
         let mut sign = 0;
-        odd ^= 0x80 << (8 * point);
-        if odd != 0 {
-            if odd != 0x80 << (8 * first) || byte(digits, first) != MINUS {
+        if odd & odd.wrapping_sub(1) != 0 {
+            // Two of them: a minus is the first.
+            let first = 8 * (8 - whole);
+            if (digits >> (first & 63)) as u8 != MINUS {
                 return None;
             }
             // A zero in its place changes nothing.
-            digits ^= u64::from(MINUS) << (8 * first);
-            first += 1;
+            digits ^= u64::from(MINUS) << (first & 63);
+            odd = strange(digits);
+            whole -= 1;
             sign = NEGATIVE;
         }
-        if point == 7 || byte(digits, point) != POINT_SIGN {
+        if odd == 0 {
+            return Some(Self {
+                mantissa: number_of(digits),
+                shape: Shape::new(whole as u8, 0, sign),
+            });
+        }
+        // The lowest bit of the point, which is the only one left, and its place.
+        let point = odd >> 7;
+        let place = point.trailing_zeros();
+        let scale = (63 - place) / 8;
+        if odd & odd.wrapping_sub(1) != 0 || (digits >> place) as u8 != POINT_SIGN || scale == 0 {
             return None;
         }
-        let before = digits & ((1 << (8 * point)) - 1);
-        let after = digits >> (8 * point + 8) << (8 * point + 8);
+        let before = digits & (point - 1);
+        let after = digits & !((point << 8).wrapping_sub(1));
         Some(Self {
             mantissa: number_of(before << 8 | after),
-            shape: Shape::new((point - first) as u8, 7 - point as u8, sign),
+            shape: Shape::new((whole - 1 - scale) as u8, scale as u8, sign),
         })
     }
 

@@ -92,13 +92,14 @@ pub(super) fn talker(sentence: &Sentence<'_>, out: &mut Vec<String>) {
     let Some((_, expected)) = row else {
         return;
     };
-    if !sentence.talker.is_empty() && !expected.contains(&sentence.talker) {
+    if !sentence.talker().is_empty() && !expected.contains(&sentence.talker()) {
         out.push(format!(
             "{} from talker {} is unusual",
-            sentence.formatter, sentence.talker
+            sentence.formatter,
+            sentence.talker()
         ));
     }
-    if sentence.is("HDT") && sentence.talker == "HC" {
+    if sentence.is("HDT") && sentence.talker() == "HC" {
         out.push("a true heading from a magnetic compass needs its variation".into());
     }
 }

@@ -35,7 +35,7 @@ pub fn hints(sentence: &Sentence<'_>) -> Vec<String> {
                 .into(),
         );
     }
-    if sentence.known.is_none() && !sentence.address.is_empty() {
+    if sentence.known.is_none() && !sentence.address().is_empty() {
         out.push(format!(
             "{} is not in the dictionary; it is kept as it is",
             sentence.formatter

@@ -28,7 +28,7 @@ pub(super) fn short_htc(sentence: &Sentence<'_>, out: &mut Vec<String>) {
             fields.insert(before - 1, b"");
         }
         let text: Vec<String> = fields.iter().map(|f| latin1(f)).collect();
-        let line = with_checksum(&format!("{},{}", sentence.address, text.join(",")));
+        let line = with_checksum(&format!("{},{}", sentence.address(), text.join(",")));
         let other = decode(line.as_bytes());
         let Some(htc) = Htc::from_sentence(&other) else {
             continue;

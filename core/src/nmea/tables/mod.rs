@@ -74,8 +74,8 @@ const _: () = assert!(COUNT < 255 && COUNT * 2 <= SLOTS);
 
 /// The sentence of a formatter of three letters.
 #[inline]
-pub(crate) fn find(formatter: &str) -> Option<&'static Definition> {
-    let key = key(formatter.as_bytes());
+pub(crate) fn find(formatter: [u8; 3]) -> Option<&'static Definition> {
+    let key = key(&formatter);
     let mut at = slot(key);
     while INDEX[at] != 0 {
         let definition = ALL[usize::from(INDEX[at]) - 1];

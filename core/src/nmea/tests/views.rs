@@ -310,7 +310,7 @@ fn lines_are_identified() {
         let sentence = decode(text.as_bytes());
         assert_eq!(
             (
-                sentence.talker,
+                sentence.talker(),
                 sentence.formatter,
                 sentence.known.is_some()
             ),
