@@ -2,6 +2,9 @@
 
 use rust_embed::{EmbeddedFile, RustEmbed};
 
+// The build task names the page that it has laid: another page, another program (the embedding alone sees changed files only).
+const _: Option<&str> = option_env!("WHEELOVER_PAGE");
+
 #[derive(RustEmbed)]
 #[folder = "../web/dist"]
 #[allow_missing = true]

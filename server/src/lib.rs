@@ -16,6 +16,7 @@ pub mod http;
 pub mod page;
 pub mod persist;
 pub mod ports;
+pub mod program;
 pub mod realtime;
 pub mod recorder;
 pub mod simulate;

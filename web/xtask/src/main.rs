@@ -1,17 +1,13 @@
 //! The project's build task: `cargo xtask build | serve | watch | test`.
-//!
-//! wasm-bindgen is used as a library, so nothing prebuilt is downloaded and its version cannot differ from the page's.
 
-mod bundle;
-mod files;
+mod page;
 mod serve;
-mod shell;
 mod test;
 mod tools;
 mod watch;
 
-use shell::{Failure, Outcome};
 use std::process::ExitCode;
+use xtask::shell::{Failure, Outcome};
 
 const USAGE: &str = "usage: cargo xtask <task>
   build [--release]               the page, into web/dist
@@ -51,7 +47,7 @@ fn request(mut arguments: impl Iterator<Item = String>) -> Result<Request, Failu
 
 fn run(request: &Request) -> Outcome {
     match request.task.as_str() {
-        "build" => bundle::build(request.release),
+        "build" => page::build(request.release),
         "serve" => serve::serve(request.release, &request.rest),
         "watch" => watch::watch(&request.rest),
         "test" => test::test(),

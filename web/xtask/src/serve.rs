@@ -1,8 +1,8 @@
 //! `serve`: the page, the server, and the server's run.
 
-use crate::bundle;
-use crate::shell::{Failure, Outcome, cargo, run, step};
+use crate::page;
 use std::process::Command;
+use xtask::shell::{Outcome, beside, cargo, root, run, step};
 
 /// Builds the page and the server and runs `wheelover ARGS`.
 ///
@@ -12,12 +12,10 @@ pub(crate) fn serve(release: bool, arguments: &[String]) -> Outcome {
     // The server's library does not wait for the page; only the program embeds it.
     let mut library = server("build", release);
     library.args(["--lib", "--quiet"]);
-    let library = std::thread::spawn(move || run(&mut library));
-    bundle::build(release)?;
+    let library = beside(library);
+    page::build(release)?;
     step("server", || {
-        library
-            .join()
-            .unwrap_or_else(|_| Err(Failure::new("the server's build was lost")))?;
+        library.done()?;
         run(&mut server("build", release))
     })?;
     run(server("run", release).arg("--").args(arguments))
@@ -26,6 +24,9 @@ pub(crate) fn serve(release: bool, arguments: &[String]) -> Outcome {
 /// `cargo build` or `cargo run` of the server.
 pub(crate) fn server(verb: &str, release: bool) -> Command {
     let mut command = cargo(&[verb, "--package", "wheelover"]);
+    // Which page is embedded: the program, and only it, is built again for another one.
+    let page = std::fs::read_to_string(root().join("web/dist/build.txt")).unwrap_or_default();
+    command.env("WHEELOVER_PAGE", page.trim());
     if release {
         command.arg("--release");
     }

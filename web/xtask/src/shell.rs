@@ -2,24 +2,24 @@
 
 use std::fmt;
 use std::path::PathBuf;
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 /// What a task gives back.
-pub(crate) type Outcome = Result<(), Failure>;
+pub type Outcome = Result<(), Failure>;
 
 /// Why a task stopped, in one message for the reader.
 #[derive(Debug)]
-pub(crate) struct Failure(String);
+pub struct Failure(String);
 
 impl Failure {
     /// With its message.
-    pub(crate) fn new(text: impl Into<String>) -> Self {
+    pub fn new(text: impl Into<String>) -> Self {
         Self(text.into())
     }
 
     /// An I/O error and the file that it is about.
-    pub(crate) fn file(path: &std::path::Path, error: &std::io::Error) -> Self {
+    pub fn file(path: &std::path::Path, error: &std::io::Error) -> Self {
         Self(format!("{}: {error}", path.display()))
     }
 }
@@ -31,7 +31,7 @@ impl fmt::Display for Failure {
 }
 
 /// The root of the repository: two folders above this package.
-pub(crate) fn root() -> PathBuf {
+pub fn root() -> PathBuf {
     let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     package
         .ancestors()
@@ -40,12 +40,12 @@ pub(crate) fn root() -> PathBuf {
 }
 
 /// The folder into which cargo builds.
-pub(crate) fn target() -> PathBuf {
+pub fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 
 /// A cargo command in the repository's root.
-pub(crate) fn cargo(arguments: &[&str]) -> Command {
+pub fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
     // What cargo set for this very process must not reach another package's build.
@@ -61,7 +61,7 @@ pub(crate) fn cargo(arguments: &[&str]) -> Command {
 ///
 /// # Errors
 /// It cannot be started, or ends with anything but success.
-pub(crate) fn run(command: &mut Command) -> Outcome {
+pub fn run(command: &mut Command) -> Outcome {
     let shown = show(command);
     let status = command
         .status()
@@ -74,7 +74,7 @@ pub(crate) fn run(command: &mut Command) -> Outcome {
 }
 
 /// The standard output of `command`, if it succeeds.
-pub(crate) fn output(command: &mut Command) -> Option<String> {
+pub fn output(command: &mut Command) -> Option<String> {
     let output = command
         .output()
         .ok()
@@ -82,8 +82,46 @@ pub(crate) fn output(command: &mut Command) -> Option<String> {
     Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
+/// What `command` prints; its errors are shown as they come.
+///
+/// # Errors
+/// It cannot be started, or ends with anything but success.
+pub fn answer(command: &mut Command) -> Result<String, Failure> {
+    let shown = show(command);
+    let output = command
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| Failure::new(format!("`{shown}`: {error}")))?;
+    if output.status.success() {
+        Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    } else {
+        Err(Failure::new(format!("`{shown}`: {}", output.status)))
+    }
+}
+
+/// Starts `command` and goes on; its end is waited for by [`Beside::done`].
+#[must_use]
+pub fn beside(mut command: Command) -> Beside {
+    Beside(std::thread::spawn(move || run(&mut command)))
+}
+
+/// A command that runs beside others.
+#[derive(Debug)]
+pub struct Beside(std::thread::JoinHandle<Outcome>);
+
+impl Beside {
+    /// Waits for its end.
+    ///
+    /// # Errors
+    /// It could not be started, or ended with anything but success.
+    pub fn done(self) -> Outcome {
+        let lost = |_| Err(Failure::new("a command that ran beside was lost"));
+        self.0.join().unwrap_or_else(lost)
+    }
+}
+
 /// Whether a program of this name is on the path.
-pub(crate) fn has(program: &str) -> bool {
+pub fn has(program: &str) -> bool {
     let paths = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&paths).any(|folder| folder.join(program).is_file())
 }
@@ -92,7 +130,7 @@ pub(crate) fn has(program: &str) -> bool {
 ///
 /// # Errors
 /// What `body` failed with, under the name of the step.
-pub(crate) fn step(name: &str, body: impl FnOnce() -> Outcome) -> Outcome {
+pub fn step(name: &str, body: impl FnOnce() -> Outcome) -> Outcome {
     eprintln!("── {name}");
     let started = Instant::now();
     match body() {

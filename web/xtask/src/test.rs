@@ -1,12 +1,12 @@
 //! `test`: everything that must hold before a change is taken, step by step, each with its name and time.
 
-use crate::bundle;
+use crate::page;
 use crate::serve::server;
-use crate::shell::{Failure, Outcome, cargo, has, output, root, run, step, target};
 use crate::tools::{BARE, WASM, browser, gpsd, has_target, wasm_target};
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
+use xtask::shell::{Failure, Outcome, cargo, has, output, root, run, step, target};
 
 /// Installs what the tests need, checks and tests everything; the first failure ends it.
 ///
@@ -24,6 +24,8 @@ pub(crate) fn test() -> Outcome {
             "clippy",
             "--workspace",
             "--all-targets",
+            "--features",
+            "xtask/bundle",
             "--",
             "-D",
             "warnings",
@@ -67,9 +69,11 @@ pub(crate) fn test() -> Outcome {
             "--workspace",
             "--exclude",
             "wheelover-tests",
+            "--features",
+            "xtask/bundle",
         ]))
     })?;
-    bundle::build_within_budget()?;
+    page::build_within_budget()?;
     step("server", || run(&mut server("build", false)))?;
     step("tests in wasm", wasm_tests)?;
     step("integration and browser tests", || {
@@ -142,6 +146,10 @@ fn wasm_tests() -> Outcome {
     run(&mut command)
 }
 
+fn text(path: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
+}
+
 fn file_lengths() -> Outcome {
     let mut git = Command::new("git");
     git.args(["ls-files", "*.rs", "*.css", "*.js"])
@@ -152,7 +160,7 @@ fn file_lengths() -> Outcome {
         .lines()
         .filter(|name| Path::new(&root().join(name)).is_file())
     {
-        let text = crate::files::text(&root().join(name))?;
+        let text = text(&root().join(name))?;
         let lines = text.lines().count();
         if lines >= 400 {
             faults.push(format!("{name}: {lines} lines"));

@@ -1,8 +1,8 @@
 //! What the build and the tests need from the machine: the wasm target, a browser and its driver, gpsd's decoder.
 
-use crate::shell::{Failure, Outcome, has, output, root, run};
 use std::path::Path;
 use std::process::Command;
+use xtask::shell::{Failure, Outcome, has, output, root, run};
 
 /// The target of the page.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";

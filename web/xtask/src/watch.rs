@@ -1,12 +1,12 @@
 //! `watch`: builds again what was edited. The page of a development build reloads itself.
 
-use crate::bundle;
+use crate::page;
 use crate::serve::server;
-use crate::shell::{Failure, Outcome, root, run, step};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command};
 use std::time::{Duration, SystemTime};
+use xtask::shell::{Failure, Outcome, root, run, step};
 
 const PAGE: [&str; 4] = ["web/src", "static", "core/src", "Cargo.toml"];
 const SERVER: [&str; 3] = ["server", "core/src", "Cargo.toml"];
@@ -18,7 +18,7 @@ type Times = BTreeMap<PathBuf, SystemTime>;
 /// # Errors
 /// The first build fails or the server cannot be started. A later build that fails is shown and waited for.
 pub(crate) fn watch(arguments: &[String]) -> Outcome {
-    bundle::build(false)?;
+    page::build(false)?;
     step("server", || run(&mut server("build", false)))?;
     let mut child = start(arguments)?;
     let (mut page, mut engine) = (times(&PAGE), times(&SERVER));
@@ -35,7 +35,7 @@ pub(crate) fn watch(arguments: &[String]) -> Outcome {
         }
         if page_now != page {
             page = page_now;
-            reported(bundle::build(false));
+            reported(page::build(false));
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Files of the bundle: names by content, compressed forms, base64.
 
-use crate::shell::{Failure, Outcome};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use xtask::shell::{Failure, Outcome};
 
 /// Reads a text.
 pub(crate) fn text(path: &Path) -> Result<String, Failure> {

@@ -1,71 +1,46 @@
-//! `build`: compiles the page, binds it, and lays `web/dist`.
+//! Binds the compiled page and lays `web/dist`; prints the bytes of a first load.
 //!
+//! wasm-bindgen is used as a library, so nothing prebuilt is downloaded and its version cannot differ from the page's.
 //! Layout: `index.html`, `decoder.html`, `sw.js`, `manifest.webmanifest`, `build.txt` and icons have fixed names; all
 //! that stands under `assets/` is named by its content and may be cached for ever. Each has a `.br` and a `.gz` beside it.
 
-use crate::files::{Compression, base64, fingerprint, pack, text, write};
-use crate::shell::{Failure, Outcome, cargo, root, run, step, target};
-use crate::tools::{WASM, wasm_target};
+mod files;
+
+use files::{Compression, base64, fingerprint, pack, text, write};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use wasm_bindgen_cli_support::Bindgen;
+use xtask::shell::{Failure, Outcome, root, target};
 
-/// What a browser may load before the page works, brotli, bytes.
-const FIRST_LOAD_LIMIT: u64 = 200_000;
-
-/// Builds the page into `web/dist`.
-///
-/// # Errors
-/// It does not compile.
-pub(crate) fn build(release: bool) -> Outcome {
-    make(release).map(|_| ())
-}
-
-/// Builds the page as it is released; one over its budget is a failure.
-///
-/// # Errors
-/// It does not compile, or is too large.
-pub(crate) fn build_within_budget() -> Outcome {
-    match make(true)? {
-        size if size > FIRST_LOAD_LIMIT => Err(Failure::new(format!(
-            "a first load is {size} bytes brotli, its budget {FIRST_LOAD_LIMIT}"
-        ))),
-        _ => Ok(()),
+fn main() -> ExitCode {
+    let folder = std::env::args_os().nth(1).map(PathBuf::from);
+    let release = std::env::args().any(|argument| argument == "--release");
+    let Some(built) = folder else {
+        eprintln!("usage: bundle FOLDER [--release], where FOLDER has the compiled page");
+        return ExitCode::from(2);
+    };
+    match bundle(&built, release) {
+        Ok(first_load) => {
+            println!("{first_load}");
+            ExitCode::SUCCESS
+        }
+        Err(failure) => {
+            eprintln!("{failure}");
+            ExitCode::FAILURE
+        }
     }
 }
 
-/// Builds the page; gives back the bytes of a first load.
-fn make(release: bool) -> Result<u64, Failure> {
-    let mut first_load = 0;
-    step("page", || {
-        wasm_target()?;
-        let profile = if release { "web-release" } else { "web-dev" };
-        run(&mut cargo(&[
-            "build",
-            "--package",
-            "wheelover-web",
-            "--bins",
-            "--target",
-            WASM,
-            "--profile",
-            profile,
-        ]))?;
-        let built = target().join(WASM).join(profile);
-        let page = bind(&built, "wheelover-web", release)?;
-        let dictionary = bind(&built, "wheelover-dictionary", release)?;
-        let compression = if release {
-            Compression::Small
-        } else {
-            Compression::Quick
-        };
-        first_load = lay(&page, &dictionary, compression)?;
-        eprintln!("first load: {first_load} bytes brotli, of {FIRST_LOAD_LIMIT}");
-        if release && first_load > FIRST_LOAD_LIMIT {
-            eprintln!("the first load is over its budget");
-        }
-        Ok(())
-    })?;
-    Ok(first_load)
+fn bundle(built: &Path, release: bool) -> Result<u64, Failure> {
+    let page = bind(built, "wheelover-web", release)?;
+    let dictionary = bind(built, "wheelover-dictionary", release)?;
+    let compression = if release {
+        Compression::Small
+    } else {
+        Compression::Quick
+    };
+    lay(&page, &dictionary, compression)
 }
 
 /// The page after wasm-bindgen.

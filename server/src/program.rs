@@ -1,0 +1,160 @@
+//! What the program does with its command line: one function a command.
+//!
+//! It stands in the library so that all of it is compiled beside the page, which only `main.rs` waits for.
+
+use crate::args::{self, Cli, Command, ConfigCommand};
+use crate::{
+    Error, Options, check, config, decode, page, persist, ports, recorder, serve, simulate,
+};
+use std::io::{ErrorKind, Write};
+use std::net::{IpAddr, SocketAddr};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Reads the command line and does what it asks for; `page` gives the files of the page.
+///
+/// The exit code is 0 where all is well, 1 where something was found, 2 where it could not be done.
+pub fn run(page: page::Bundle) -> ExitCode {
+    let code = match args::read() {
+        Ok(cli) => obey(cli, page).unwrap_or_else(|error| {
+            eprintln!("{error}");
+            2
+        }),
+        Err(code) => code,
+    };
+    ExitCode::from(u8::try_from(code).unwrap_or(2))
+}
+
+fn obey(cli: Cli, page: page::Bundle) -> Result<i32, Error> {
+    match cli.command {
+        None => main_job(cli.serve, page),
+        Some(Command::Serve(options)) => main_job(options, page),
+        Some(Command::Decode { file, json, quiet }) => explain(file.as_deref(), json, quiet),
+        Some(Command::Check { file, json, quiet }) => {
+            check::check(&file, json, quiet).map_err(Error::Other)
+        }
+        Some(Command::Simulate {
+            scenario,
+            only,
+            csv,
+            json,
+            quiet,
+        }) => simulate::simulate(&scenario, only.as_deref(), csv.as_deref(), json, quiet)
+            .map_err(Error::Other),
+        Some(Command::Replay { file, quiet }) => recorder::replay(&file, quiet),
+        Some(Command::Ports) => {
+            for port in ports::list::list() {
+                if port.path == port.device {
+                    say(&port.path.display().to_string());
+                } else {
+                    say(&format!(
+                        "{} -> {}",
+                        port.path.display(),
+                        port.device.display()
+                    ));
+                }
+            }
+            Ok(0)
+        }
+        Some(Command::Config(ConfigCommand::Check { file })) => {
+            say(config::in_force(&config::read(&file)?).trim_end());
+            Ok(0)
+        }
+    }
+}
+
+/// `decode`; a reader that has seen enough is no failure.
+fn explain(file: Option<&Path>, json: bool, quiet: bool) -> Result<i32, Error> {
+    match decode::decode(file, json, quiet) {
+        Err(source) if source.kind() == ErrorKind::BrokenPipe => Ok(0),
+        done => done.map_err(|source| Error::File {
+            path: file.map_or_else(
+                || "standard input".to_owned(),
+                |file| file.display().to_string(),
+            ),
+            source,
+        }),
+    }
+}
+
+/// `serve`: the main job.
+fn main_job(options: args::Serve, page: page::Bundle) -> Result<i32, Error> {
+    let config = options.config.as_deref().map(config::read).transpose()?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .worker_threads(2)
+        .enable_all()
+        .build()
+        .map_err(|error| Error::Other(format!("cannot start: {error}")))?;
+    let lan = options.lan;
+    let asked = Options {
+        config,
+        listen: options.listen,
+        lan,
+        speed: options.speed,
+        record: options.record,
+        settings: options.config.as_deref().map(persist::beside),
+        page: Some(page),
+    };
+    runtime.block_on(async {
+        let running = serve(asked).await?;
+        if !options.quiet {
+            announce(running.addr, lan);
+            for caution in &running.cautions {
+                eprintln!("caution: {caution}");
+            }
+        }
+        asked_to_stop().await;
+        running.shutdown().await;
+        Ok(0)
+    })
+}
+
+/// Says where the page is; with `--lan` also for a tablet.
+fn announce(addr: SocketAddr, lan: bool) {
+    let here = if addr.ip().is_unspecified() {
+        SocketAddr::from(([127, 0, 0, 1], addr.port()))
+    } else {
+        addr
+    };
+    say(&format!("listening on http://{here}"));
+    if lan {
+        for ip in own_addresses() {
+            say(&format!(
+                "for tablets, reading only: http://{}",
+                SocketAddr::new(ip, addr.port())
+            ));
+        }
+    }
+}
+
+/// IPv4 addresses by which others reach this machine.
+fn own_addresses() -> Vec<IpAddr> {
+    let Ok(interfaces) = nix::ifaddrs::getifaddrs() else {
+        return Vec::new();
+    };
+    interfaces
+        .filter_map(|interface| Some(interface.address?.as_sockaddr_in()?.ip()))
+        .filter(|ip| !ip.is_loopback() && !ip.is_unspecified())
+        .map(IpAddr::V4)
+        .collect()
+}
+
+/// Writes a line at once; a reader that is gone is no reason to stop steering.
+fn say(line: &str) {
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(out, "{line}").and_then(|()| out.flush());
+}
+
+/// Returns on Ctrl-C, or when the service manager asks.
+async fn asked_to_stop() {
+    use tokio::signal::unix::{SignalKind, signal};
+    match signal(SignalKind::terminate()) {
+        Ok(mut terminate) => tokio::select! {
+            _ = tokio::signal::ctrl_c() => {}
+            _ = terminate.recv() => {}
+        },
+        Err(_) => {
+            let _ = tokio::signal::ctrl_c().await;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! `build`: compiles the page beside the program that bundles it, then has it bundled.
+
+use crate::tools::{WASM, wasm_target};
+use std::process::Command;
+use xtask::shell::{Failure, Outcome, answer, beside, cargo, run, step, target};
+
+/// What a browser may load before the page works, brotli, bytes.
+const FIRST_LOAD_LIMIT: u64 = 200_000;
+
+/// Builds the page into `web/dist`.
+///
+/// # Errors
+/// It does not compile.
+pub(crate) fn build(release: bool) -> Outcome {
+    make(release).map(|_| ())
+}
+
+/// Builds the page as it is released; one over its budget is a failure.
+///
+/// # Errors
+/// It does not compile, or is too large.
+pub(crate) fn build_within_budget() -> Outcome {
+    match make(true)? {
+        size if size > FIRST_LOAD_LIMIT => Err(Failure::new(format!(
+            "a first load is {size} bytes brotli, its budget {FIRST_LOAD_LIMIT}"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Builds the page; gives back the bytes of a first load.
+fn make(release: bool) -> Result<u64, Failure> {
+    let mut first_load = 0;
+    step("page", || {
+        wasm_target()?;
+        let profile = if release { "web-release" } else { "web-dev" };
+        let bundler = beside(bundle("build"));
+        run(&mut cargo(&[
+            "build",
+            "--package",
+            "wheelover-web",
+            "--bins",
+            "--target",
+            WASM,
+            "--profile",
+            profile,
+        ]))?;
+        bundler.done()?;
+        let mut bundle = bundle("run");
+        bundle.arg("--").arg(target().join(WASM).join(profile));
+        if release {
+            bundle.arg("--release");
+        }
+        let size = answer(&mut bundle)?;
+        first_load = size
+            .parse()
+            .map_err(|_| Failure::new(format!("the bundle's size is not a number: `{size}`")))?;
+        eprintln!("first load: {first_load} bytes brotli, of {FIRST_LOAD_LIMIT}");
+        if release && first_load > FIRST_LOAD_LIMIT {
+            eprintln!("the first load is over its budget");
+        }
+        Ok(())
+    })?;
+    Ok(first_load)
+}
+
+/// `cargo build` or `cargo run` of the program that bundles.
+fn bundle(verb: &str) -> Command {
+    cargo(&[
+        verb,
+        "--quiet",
+        "--package",
+        "xtask",
+        "--features",
+        "bundle",
+        "--bin",
+        "bundle",
+    ])
+}
