@@ -1,7 +1,11 @@
-//! Any bytes through framer, decoder, explanation and assembler; a split stream gives the same frames (FB1, FB4).
+//! Any bytes through framer, decoder, explanation, assembler and radio messages; a split stream gives the same frames
+//! (FB1, FB4).
 #![no_main]
 
+mod radio;
+
 use libfuzzer_sys::fuzz_target;
+use wheelover_core::nmea::ais::Gatherer;
 use wheelover_core::nmea::{Assembler, Framer, decode, explain, hints};
 use wheelover_core::time::Stamp;
 
@@ -24,11 +28,14 @@ fuzz_target!(|bytes: &[u8]| {
         .map_or(0, |&b| usize::from(b) % (bytes.len() + 1));
     let (a, b) = bytes.split_at(at);
     assert_eq!(frames(&[a, b]), whole);
-    let mut assembler = Assembler::new();
+    let (mut assembler, mut gatherer) = (Assembler::new(), Gatherer::new());
     for (text, _) in &whole {
         let sentence = decode(text);
         let explanation = explain(&sentence);
         assert_eq!(explanation.fields.len(), sentence.fields.len());
         let _ = (hints(&sentence), assembler.push(Stamp(0), &sentence));
+        if let Some(gathered) = gatherer.push(Stamp(0), &sentence) {
+            radio::ask(&sentence, &gathered);
+        }
     }
 });
