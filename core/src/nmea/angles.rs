@@ -112,7 +112,7 @@ pub(super) fn position<'a>(
     }
 }
 
-#[inline(never)]
+#[inline(always)]
 pub(super) fn single_angle<'a>(
     field: Field<'a>,
     letter: Field<'a>,

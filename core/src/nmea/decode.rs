@@ -207,7 +207,7 @@ impl<'a> Sentence<'a> {
     #[inline(always)]
     fn walk_by(
         &self,
-        read: impl Fn(&Kind, &mut Cursor<'a>, &mut Vec<Fault>) -> Option<Value<'a>>,
+        read: impl Fn(&Kind, &mut Cursor<'_, 'a>, &mut Vec<Fault>) -> Option<Value<'a>>,
         mut item: impl FnMut(Item<'a>),
         faults: &mut Vec<Fault>,
     ) {

@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 #[inline(never)]
 pub(crate) fn read<'a>(
     kind: &Kind,
-    fields: &mut Cursor<'a>,
+    fields: &mut Cursor<'_, 'a>,
     faults: &mut Vec<Fault>,
 ) -> Option<Value<'a>> {
     read_here(kind, fields, faults)
@@ -22,7 +22,7 @@ pub(crate) fn read<'a>(
 #[inline(always)]
 pub(crate) fn read_here<'a>(
     kind: &Kind,
-    fields: &mut Cursor<'a>,
+    fields: &mut Cursor<'_, 'a>,
     faults: &mut Vec<Fault>,
 ) -> Option<Value<'a>> {
     let field = fields.next()?;
@@ -61,22 +61,30 @@ pub(crate) fn read_here<'a>(
             Some(date) => Value::Date(date),
             None => null_or_fault(field, n, faults, FaultKind::BadDate),
         },
-        Kind::Text(limit) => text(field.text(), *limit, n, faults),
+        Kind::Text(limit) => checked(field, n, faults, |text| wrong_text(text, *limit)),
         Kind::Angle { degrees, .. } => single_angle(field, fields.part(), *degrees, n, faults),
-        Kind::Hex(_) => hex(field.text(), n, faults),
-        Kind::Payload => payload(field.text(), n, faults),
-        Kind::Any => match field.text() {
-            [] => Value::Null,
-            text => Value::Text(text),
+        Kind::Hex(_) if field.is_empty() => Value::Null,
+        Kind::Hex(_) => match hex(field.text()) {
+            Some(number) => Value::Number(number),
+            None => fault(faults, n, FaultKind::BadHex),
         },
+        Kind::Payload => checked(field, n, faults, wrong_payload),
+        Kind::Any => checked(field, n, faults, |_| None),
     })
+}
+
+// What is not in the caller gives no whole value: a value that may come from there would pass through memory.
+
+#[inline(always)]
+pub(super) fn fault<'a>(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) -> Value<'a> {
+    note(faults, n, kind);
+    Value::Invalid
 }
 
 #[cold]
 #[inline(never)]
-pub(super) fn fault<'a>(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) -> Value<'a> {
+fn note(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) {
     faults.push(Fault::at(n - 1, kind));
-    Value::Invalid
 }
 
 #[inline(always)]
@@ -90,30 +98,33 @@ fn number<'a>(field: Field<'a>, format: &Format, n: usize, faults: &mut Vec<Faul
     if field.is_empty() {
         return Value::Null;
     }
-    long_number(field.head, field.length, format, n, faults)
+    match long_number(field.head, field.length, format, n, faults) {
+        Some(number) => Value::Number(number),
+        None => Value::Invalid,
+    }
 }
 
 /// Numbers of more than eight characters or of a strange form.
 #[inline(never)]
-fn long_number<'a>(
+fn long_number(
     head: &[u8],
     length: usize,
     format: &Format,
     n: usize,
     faults: &mut Vec<Fault>,
-) -> Value<'a> {
-    match Decimal::parse_apart(head, length) {
-        Some(number) if number.within(format.low, format.high) => Value::Number(number),
-        Some(_) => out_of_range(faults, n, format),
-        None => fault(faults, n, FaultKind::NotANumber),
-    }
+) -> Option<Decimal> {
+    let kind = match Decimal::parse_apart(head, length) {
+        Some(number) if number.within(format.low, format.high) => return Some(number),
+        Some(_) => out_of_range(format),
+        None => FaultKind::NotANumber,
+    };
+    note(faults, n, kind);
+    None
 }
 
-#[cold]
-#[inline(never)]
-fn out_of_range<'a>(faults: &mut Vec<Fault>, n: usize, format: &Format) -> Value<'a> {
+const fn out_of_range(format: &Format) -> FaultKind {
     let (low, high) = (format.low, format.high);
-    fault(faults, n, FaultKind::OutOfRange { low, high })
+    FaultKind::OutOfRange { low, high }
 }
 
 /// An empty field is null; another one has a fault.
@@ -189,7 +200,7 @@ fn sided<'a>(
 ) -> Value<'a> {
     match number(field, format, n, faults) {
         Value::Number(number) => match side(letter, sides, n + 1, faults) {
-            Some(_) if number.signed() => out_of_range(faults, n, format),
+            Some(_) if number.signed() => fault(faults, n, out_of_range(format)),
             Some(negative) => Value::Number(number.with_negative(negative)),
             None => Value::Invalid,
         },
@@ -202,10 +213,26 @@ fn sided<'a>(
     }
 }
 
-fn text<'a>(field: &'a [u8], limit: u8, n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    if field.is_empty() {
-        return Value::Null;
+/// What the checks below say of a field that is not empty.
+#[inline(always)]
+fn checked<'a>(
+    field: Field<'a>,
+    n: usize,
+    faults: &mut Vec<Fault>,
+    wrong: impl FnOnce(&[u8]) -> Option<FaultKind>,
+) -> Value<'a> {
+    match field.text() {
+        [] => Value::Null,
+        text => match wrong(text) {
+            None => Value::Text(text),
+            Some(kind) => fault(faults, n, kind),
+        },
     }
+}
+
+/// What is wrong with a text.
+#[inline(never)]
+fn wrong_text(field: &[u8], limit: u8) -> Option<FaultKind> {
     let mut i = 0;
     let mut length = 0usize;
     while let Some(&byte) = field.get(i) {
@@ -214,41 +241,31 @@ fn text<'a>(field: &'a [u8], limit: u8, n: usize, faults: &mut Vec<Fault>) -> Va
             b'^' if field.get(i + 1..i + 3).and_then(hex_byte).is_some() => i += 3,
             // The reserved characters of the standard; 8-bit characters are ISO 8859-1.
             b'^' | b'*' | b'\\' | b'!' | b'$' | b'~' | 0..=0x1f | 0x7f => {
-                return fault(faults, n, FaultKind::BadCharacter(byte));
+                return Some(FaultKind::BadCharacter(byte));
             }
             _ => i += 1,
         }
     }
-    if length > usize::from(limit) {
-        return fault(faults, n, FaultKind::TooMuchText(limit));
-    }
-    Value::Text(field)
+    (length > usize::from(limit)).then_some(FaultKind::TooMuchText(limit))
 }
 
-fn hex<'a>(field: &[u8], n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    if field.is_empty() {
-        return Value::Null;
-    }
+#[inline(never)]
+fn hex(field: &[u8]) -> Option<Decimal> {
     let mut number = 0u64;
     for &byte in field {
         match hex_digit(byte) {
             Some(digit) if field.len() <= 8 => number = number << 4 | u64::from(digit),
-            _ => return fault(faults, n, FaultKind::BadHex),
+            _ => return None,
         }
     }
-    Value::Number(Decimal::new(false, number, 0, field.len() as u8))
+    Some(Decimal::new(false, number, 0, field.len() as u8))
 }
 
-fn payload<'a>(field: &'a [u8], n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
-    if field.is_empty() {
-        return Value::Null;
-    }
-    if field
+/// What is wrong with six-bit characters.
+#[inline(never)]
+fn wrong_payload(field: &[u8]) -> Option<FaultKind> {
+    let right = field
         .iter()
-        .all(|byte| matches!(byte, 0x30..=0x57 | 0x60..=0x77))
-    {
-        Value::Text(field)
-    } else {
-        fault(faults, n, FaultKind::BadPayload)
-    }
+        .all(|byte| matches!(byte, 0x30..=0x57 | 0x60..=0x77));
+    (!right).then_some(FaultKind::BadPayload)
 }

@@ -100,12 +100,11 @@ impl<'a> FieldList<'a> {
     }
     /// The fields one after the other, from the first on.
     #[inline(always)]
-    pub(crate) fn cursor(&self) -> Cursor<'a> {
-        let [bits, behind @ ..] = self.separators;
+    pub(crate) fn cursor(&self) -> Cursor<'_, 'a> {
         let mut cursor = Cursor {
             body: self.body,
-            bits,
-            behind,
+            separators: &self.separators,
+            bits: self.separators[0],
             base: 0,
             start: 0,
             taken: 0,
@@ -116,7 +115,7 @@ impl<'a> FieldList<'a> {
         cursor
     }
     /// The fields from index `at` (from 0) on.
-    pub(crate) fn cursor_at(&self, at: usize) -> Cursor<'a> {
+    pub(crate) fn cursor_at(&self, at: usize) -> Cursor<'_, 'a> {
         let mut cursor = self.cursor();
         for _ in 0..at {
             if cursor.next().is_none() {
@@ -137,11 +136,11 @@ impl core::fmt::Debug for FieldList<'_> {
 }
 
 /// Gives the fields of a line one after the other.
-pub(crate) struct Cursor<'a> {
+pub(crate) struct Cursor<'s, 'a> {
     body: &'a [u8],
-    /// Separators not yet passed: those of the word at hand, and the words behind it.
+    separators: &'s [u64; 4],
+    /// Those of the word at hand that are not yet passed.
     bits: u64,
-    behind: [u64; 3],
     /// Offset of the word at hand.
     base: usize,
     /// Offset of the next field.
@@ -150,7 +149,7 @@ pub(crate) struct Cursor<'a> {
     taken: usize,
 }
 
-impl<'a> Cursor<'a> {
+impl<'a> Cursor<'_, 'a> {
     /// How many fields were asked for, those behind the end too.
     #[inline(always)]
     pub(crate) const fn taken(&self) -> usize {
@@ -164,9 +163,8 @@ impl<'a> Cursor<'a> {
             if self.start > self.body.len() {
                 return None;
             }
-            let [next, further @ ..] = self.behind;
-            (self.bits, self.behind) = (next, [further[0], further[1], 0]);
             self.base += 64;
+            self.bits = self.separators[(self.base / 64) & 3];
         }
         let end = self.base + self.bits.trailing_zeros() as usize;
         self.bits &= self.bits - 1;

@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 /// Walks the members of a sentence.
 pub(crate) struct Reader<'s, 'a> {
     fields: &'s FieldList<'a>,
-    cursor: Cursor<'a>,
+    cursor: Cursor<'s, 'a>,
     definition: &'static Definition,
     members: core::slice::Iter<'static, Kind>,
     in_tail: bool,
