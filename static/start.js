@@ -8,7 +8,22 @@ globalThis.wheeloverDictionary = async () => {
   return dictionary;
 };
 
-await init({ module_or_path: "{{wasm}}" });
+// The link is opened while the page is still being compiled. The page begins with what the server says first, so that
+// what it shows first is live; it does not wait long for that, and not at all where there is no server.
+const socket = new WebSocket(`${location.origin.replace("http", "ws")}/ws?lines=resumed`);
+const frames = [];
+const greeted = new Promise((done) => {
+  socket.onmessage = (event) => {
+    frames.push(event.data);
+    done();
+  };
+  socket.onerror = done;
+  setTimeout(done, 500);
+});
+globalThis.wheeloverLink = { socket, frames };
+
+const [module] = await Promise.all([WebAssembly.compileStreaming(fetch("{{wasm}}")), greeted]);
+await init({ module_or_path: module });
 if ("serviceWorker" in navigator) {
   // The page lives without it: a certificate that was clicked through forbids it.
   navigator.serviceWorker.register("/sw.js").catch(() => {});

@@ -16,6 +16,8 @@ use crate::ports::Link;
 
 /// Lines that are held for clients that come back.
 const HELD: usize = 20_000;
+/// Lines that a client which is behind is told in one message.
+const TOLD: usize = 500;
 /// Messages that may wait between the control thread and here.
 const QUEUE: usize = 4_096;
 
@@ -117,8 +119,8 @@ impl Feed {
 
     /// The next text for a client that wants lines from `from` on, and the number after it.
     #[must_use]
-    pub fn lines(&self, from: u64) -> Option<(Utf8Bytes, u64)> {
-        self.held().after(from)
+    pub fn lines(&self, from: u64, last: u64) -> Option<(Utf8Bytes, u64)> {
+        self.held().after(from, last)
     }
 
     fn held(&self) -> MutexGuard<'_, Held> {
@@ -227,7 +229,7 @@ impl Held {
             let gap = rest.windows(2).position(|pair| pair[1].0 != pair[0].0 + 1);
             let later = rest.split_off(gap.map_or(rest.len(), |at| at + 1));
             self.count += rest.len();
-            let text = text_of(&rest);
+            let text = text_of(rest.clone());
             self.batches.push_back(Batch { lines: rest, text });
             rest = later;
         }
@@ -239,25 +241,37 @@ impl Held {
         Some(next)
     }
 
-    fn after(&self, from: u64) -> Option<(Utf8Bytes, u64)> {
+    /// What a client is told that wants the lines from `from` on, of batches that begin by `last`, and what it wants next.
+    fn after(&self, from: u64, last: u64) -> Option<(Utf8Bytes, u64)> {
         let at = self.batches.partition_point(|batch| batch.next() <= from);
         let batch = self.batches.get(at)?;
         if batch.from() > from {
             let lost = batch.from() - from;
             return Some((encode(&Down::Gap { lost })?, batch.from()));
         }
-        if batch.from() == from {
-            return Some((batch.text.clone(), batch.next()));
-        }
         let since = batch.lines.partition_point(|line| line.0 < from);
-        Some((text_of(&batch.lines[since..]), batch.next()))
+        let mut lines = batch.lines.get(since..)?.to_vec();
+        let mut next = batch.next();
+        for later in self.batches.iter().skip(at + 1) {
+            let fits = lines.len() + later.lines.len() <= TOLD;
+            if !fits || later.from() != next || later.from() > last {
+                break;
+            }
+            lines.extend_from_slice(&later.lines);
+            next = later.next();
+        }
+        if since == 0 && next == batch.next() {
+            // A client that keeps up shares the text with all others.
+            return Some((batch.text.clone(), next));
+        }
+        Some((text_of(lines), next))
     }
 }
 
-fn text_of(lines: &[Line]) -> Utf8Bytes {
+fn text_of(lines: Vec<Line>) -> Utf8Bytes {
     let message = Down::Lines(Lines {
         from: lines.first().map_or(0, |line| line.0),
-        lines: lines.to_vec(),
+        lines,
     });
     encode(&message).unwrap_or_default()
 }
@@ -274,10 +288,13 @@ mod tests {
     }
 
     /// Everything that a client hears that asks from `from` on: first and last number of each message, or the gap.
-    fn check(held: &Held, from: u64, expect: &[&str]) {
+    fn check(held: &Held, from: u64, last: u64, expect: &[&str]) {
         let mut next = from;
         let mut heard = Vec::new();
-        while let Some((text, then)) = held.after(next) {
+        while let Some((text, then)) = held.after(next, last) {
+            if next > last {
+                break;
+            }
             next = then;
             heard.push(match serde_json::from_str::<Down>(&text).unwrap() {
                 Down::Gap { lost } => format!("gap {lost}"),
@@ -297,11 +314,16 @@ mod tests {
         assert_eq!(held.add(Vec::new()), None);
         assert_eq!(held.add(lines(1..=3)), Some(4));
         held.add(lines(4..=9));
-        check(&held, 1, &["1-3", "4-9"]);
-        check(&held, 6, &["6-9"]);
-        check(&held, 10, &[]);
-        check(&held, 99, &[]);
-        check(&held, 0, &["gap 1", "1-3", "4-9"]);
+        const ALL: u64 = u64::MAX;
+        check(&held, 1, ALL, &["1-9"]);
+        check(&held, 6, ALL, &["6-9"]);
+        check(&held, 10, ALL, &[]);
+        check(&held, 99, ALL, &[]);
+        check(&held, 0, ALL, &["gap 1", "1-9"]);
+        // Not beyond the snapshot that goes with them.
+        check(&held, 1, 3, &["1-3"]);
+        held.add(lines(10..=505));
+        check(&held, 1, ALL, &["1-9", "10-505"]);
     }
 
     #[test]
@@ -311,7 +333,7 @@ mod tests {
             held.add(lines(batch * 1_000 + 1..=(batch + 1) * 1_000));
         }
         assert_eq!(held.count, HELD);
-        let (text, next) = held.after(5).unwrap();
+        let (text, next) = held.after(5, u64::MAX).unwrap();
         assert_eq!(&*text, r#"{"type":"gap","lost":9996}"#);
         assert_eq!(next, 10_001);
     }
@@ -320,6 +342,6 @@ mod tests {
     fn a_line_lost_on_the_way_is_a_gap() {
         let mut held = Held::default();
         held.add(lines((1..=9).filter(|number| *number != 5)));
-        check(&held, 1, &["1-4", "gap 1", "6-9"]);
+        check(&held, 1, u64::MAX, &["1-4", "gap 1", "6-9"]);
     }
 }

@@ -8,7 +8,7 @@ use crate::ws::{self, Rights, Source};
 use axum::body::Body;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::extract::ws::{Utf8Bytes, WebSocketUpgrade};
-use axum::extract::{Request, State};
+use axum::extract::{RawQuery, Request, State};
 use axum::http::header::{self, HeaderMap, HeaderValue};
 use axum::http::{Method, Response, StatusCode};
 use axum::middleware::{self, Next};
@@ -188,6 +188,7 @@ fn json(text: Utf8Bytes) -> Response<Body> {
 async fn socket(
     State(site): State<Arc<Site>>,
     Extension(ends): Extension<Ends>,
+    RawQuery(query): RawQuery,
     headers: HeaderMap,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> Response<Body> {
@@ -209,6 +210,7 @@ async fn socket(
         feed: site.feed.clone(),
         stop: site.stop.clone(),
         rights: site.rights(&ends),
+        will_resume: query.as_deref() == Some("lines=resumed"),
     };
     ws::limit(upgrade).on_upgrade(move |socket| ws::serve(socket, source))
 }

@@ -28,6 +28,8 @@ const FRAMES: u32 = 200;
 const ANSWERS: usize = 64;
 /// The first lines wait this long for the client to say from where it wants them.
 const GRACE: Duration = Duration::from_millis(200);
+/// As [`GRACE`], for a client that has said that it will: a page on a slow tablet shows its first values before it asks.
+const LONG_GRACE: Duration = Duration::from_secs(15);
 
 /// What a client may command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +51,8 @@ pub struct Source {
     pub stop: watch::Receiver<bool>,
     /// What the client may command.
     pub rights: Rights,
+    /// Whether the client has said that it will say from where it wants lines (`/ws?lines=resumed`).
+    pub will_resume: bool,
 }
 
 /// Limits of every connection: small buffers, so that a thousand clients take little (FC2).
@@ -63,12 +67,17 @@ pub fn limit(upgrade: WebSocketUpgrade) -> WebSocketUpgrade {
 
 /// Serves one client to its end.
 pub async fn serve(socket: WebSocket, source: Source) {
+    let grace = if source.will_resume {
+        LONG_GRACE
+    } else {
+        GRACE
+    };
     let mut client = Client {
         socket,
         window: Window::default(),
         wants_lines: true,
         next: 0,
-        lines_from: Instant::now() + GRACE,
+        lines_from: Instant::now() + grace,
         heard: Instant::now(),
         second: Instant::now(),
         frames: 0,
@@ -173,7 +182,7 @@ impl Client {
     /// Lines from where the client stands, as far as batches that begin by `last`.
     async fn lines(&mut self, source: &Source, last: u64) -> Result<(), End> {
         while self.next <= last
-            && let Some((text, next)) = source.feed.lines(self.next)
+            && let Some((text, next)) = source.feed.lines(self.next, last)
         {
             self.say(Some(text)).await?;
             self.next = next;

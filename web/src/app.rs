@@ -47,8 +47,9 @@ pub fn start() {
         return;
     }
     let (deck, dictionary) = (Deck::new(), Dictionary::new());
-    mount_to_body(move || view! { <Page deck dictionary/> });
+    // What has come already is in what is drawn first.
     link::open(deck);
+    mount_to_body(move || view! { <Page deck dictionary/> });
     let mut beat = 0_u32;
     let tick = move || {
         beat = beat.wrapping_add(1);

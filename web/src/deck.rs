@@ -173,6 +173,8 @@ impl Deck {
             simulated: hello.simulated,
             may_command: hello.may_command,
         }));
+        // The picture is live: it is shown before any line comes.
+        self.show();
         wanted
     }
 

@@ -105,17 +105,32 @@ fn send(up: &Up) -> bool {
     })
 }
 
-fn connect(deck: Deck) {
+/// The socket that was opened while the page was being compiled, and the frames that came since; taken once.
+fn early() -> Option<(WebSocket, js_sys::Array)> {
+    let name = JsValue::from_str("wheeloverLink");
+    let early = Reflect::get(&window(), &name).ok()?;
+    Reflect::set(&window(), &name, &JsValue::UNDEFINED).ok()?;
+    let part = |name| Reflect::get(&early, &JsValue::from_str(name)).ok();
+    let socket: WebSocket = part("socket")?.dyn_into().ok()?;
+    let frames = part("frames")?.dyn_into().ok()?;
+    (socket.ready_state() <= WebSocket::OPEN).then_some((socket, frames))
+}
+
+fn dial() -> Option<WebSocket> {
     let location = window().location();
     let scheme = if location.protocol().is_ok_and(|p| p == "https:") {
         "wss"
     } else {
         "ws"
     };
-    let Ok(host) = location.host() else {
-        return;
-    };
-    let Ok(socket) = WebSocket::new(&format!("{scheme}://{host}/ws")) else {
+    let host = location.host().ok()?;
+    WebSocket::new(&format!("{scheme}://{host}/ws?lines=resumed")).ok()
+}
+
+fn connect(deck: Deck) {
+    let early = early();
+    let frames = early.as_ref().map(|(_, frames)| frames.clone());
+    let Some(socket) = early.map(|(socket, _)| socket).or_else(dial) else {
         reopen(deck, LONGEST_WAIT);
         return;
     };
@@ -142,6 +157,11 @@ fn connect(deck: Deck) {
             _close: close,
         });
     });
+    for frame in frames.iter().flat_map(js_sys::Array::iter) {
+        if let Some(text) = frame.as_string() {
+            receive(deck, &text);
+        }
+    }
 }
 
 /// Drops the socket and opens another one after a wait.
@@ -187,12 +207,21 @@ fn take(deck: Deck, frame: JsValue) -> Option<()> {
         "hello" => {
             let hello: Hello = body(frame)?;
             STATE.with_borrow_mut(|state| state.wait = FIRST_WAIT);
+            let first = deck.greeting.with_untracked(Option::is_none);
             let from = deck.greet(hello);
-            send(&Up::Subscribe {
-                rate: 10.0,
-                lines: true,
-            });
-            send(&Up::Resume { seq: from });
+            let follow = move || {
+                send(&Up::Subscribe {
+                    rate: 10.0,
+                    lines: true,
+                });
+                send(&Up::Resume { seq: from });
+            };
+            if first && !document().hidden() {
+                // What the hello says is on the screen before the lines of the past are read.
+                request_animation_frame(move || set_timeout(follow, Duration::ZERO));
+            } else {
+                follow();
+            }
         }
         "snapshot" => {
             let snapshot: Snapshot = body(frame)?;
