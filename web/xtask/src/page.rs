@@ -1,8 +1,8 @@
-//! `build`: compiles the page beside the program that bundles it, then has it bundled.
+//! `build`: compiles the program that bundles the page, then the page, and has it bundled.
 
 use crate::tools::{WASM, wasm_target};
 use std::process::Command;
-use xtask::shell::{Failure, Outcome, answer, beside, cargo, run, step, target};
+use xtask::shell::{Failure, Outcome, answer, cargo, run, step, target};
 
 /// What a browser may load before the page works, brotli, bytes.
 const FIRST_LOAD_LIMIT: u64 = 200_000;
@@ -31,10 +31,12 @@ pub(crate) fn build_within_budget() -> Outcome {
 /// Builds the page; gives back the bytes of a first load.
 fn make(release: bool) -> Result<u64, Failure> {
     let mut first_load = 0;
+    step("program that bundles the page", || {
+        run(&mut bundle("build"))
+    })?;
     step("page", || {
         wasm_target()?;
         let profile = if release { "web-release" } else { "web-dev" };
-        let bundler = beside(bundle("build"));
         run(&mut cargo(&[
             "build",
             "--package",
@@ -45,7 +47,6 @@ fn make(release: bool) -> Result<u64, Failure> {
             "--profile",
             profile,
         ]))?;
-        bundler.done()?;
         let mut bundle = bundle("run");
         bundle.arg("--").arg(target().join(WASM).join(profile));
         if release {
