@@ -2,20 +2,24 @@
 
 use crate::page;
 use std::process::Command;
-use xtask::shell::{Outcome, beside, cargo, root, run, step};
+use xtask::shell::{Beside, Outcome, beside, cargo, root, run, step};
 
 /// Builds the page and the server and runs `wheelover ARGS`.
 ///
 /// # Errors
 /// Something does not build, or the server ends with an error.
 pub(crate) fn serve(release: bool, arguments: &[String]) -> Outcome {
-    // The server's library does not wait for the page; only the program embeds it.
-    let mut library = server("build", release);
-    library.args(["--lib", "--quiet"]);
-    let library = beside(library);
+    // The server's library does not wait for the page, only the program embeds it. Two builds side by side keep many cores
+    // busy; two cores are sooner done with one after the other.
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let library = (cores > 2).then(|| {
+        let mut library = server("build", release);
+        library.args(["--lib", "--quiet"]);
+        beside(library)
+    });
     page::build(release)?;
     step("server", || {
-        library.done()?;
+        library.map_or(Ok(()), Beside::done)?;
         run(&mut server("build", release))
     })?;
     run(server("run", release).arg("--").args(arguments))
