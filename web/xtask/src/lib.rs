@@ -1,3 +1,4 @@
 //! What the build task's programs share. It needs no other crate, so that the first command starts its work at once.
 
+pub mod cores;
 pub mod shell;

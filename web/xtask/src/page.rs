@@ -31,24 +31,14 @@ pub(crate) fn build_within_budget() -> Outcome {
 /// Builds the page; gives back the bytes of a first load.
 fn make(release: bool) -> Result<u64, Failure> {
     let mut first_load = 0;
-    step("program that bundles the page", || {
-        run(&mut bundle("build"))
-    })?;
     step("page", || {
         wasm_target()?;
-        let profile = if release { "web-release" } else { "web-dev" };
-        run(&mut cargo(&[
-            "build",
-            "--package",
-            "wheelover-web",
-            "--bins",
-            "--target",
-            WASM,
-            "--profile",
-            profile,
-        ]))?;
-        let mut bundle = bundle("run");
-        bundle.arg("--").arg(target().join(WASM).join(profile));
+        run(&mut bundler("build"))?;
+        run(&mut compiler(release))?;
+        let mut bundle = bundler("run");
+        bundle
+            .arg("--")
+            .arg(target().join(WASM).join(profile(release)));
         if release {
             bundle.arg("--release");
         }
@@ -65,8 +55,26 @@ fn make(release: bool) -> Result<u64, Failure> {
     Ok(first_load)
 }
 
+fn profile(release: bool) -> &'static str {
+    if release { "web-release" } else { "web-dev" }
+}
+
+/// `cargo build` of the page.
+pub(crate) fn compiler(release: bool) -> Command {
+    cargo(&[
+        "build",
+        "--package",
+        "wheelover-web",
+        "--bins",
+        "--target",
+        WASM,
+        "--profile",
+        profile(release),
+    ])
+}
+
 /// `cargo build` or `cargo run` of the program that bundles.
-fn bundle(verb: &str) -> Command {
+pub(crate) fn bundler(verb: &str) -> Command {
     cargo(&[
         verb,
         "--quiet",

@@ -1,7 +1,9 @@
 //! `serve`: the page, the server, and the server's run.
 
 use crate::page;
+use crate::tools::wasm_target;
 use std::process::Command;
+use xtask::cores::Cores;
 use xtask::shell::{Beside, Outcome, beside, cargo, root, run, step};
 
 /// Builds the page and the server and runs `wheelover ARGS`.
@@ -9,20 +11,24 @@ use xtask::shell::{Beside, Outcome, beside, cargo, root, run, step};
 /// # Errors
 /// Something does not build, or the server ends with an error.
 pub(crate) fn serve(release: bool, arguments: &[String]) -> Outcome {
-    // The server's library does not wait for the page, only the program embeds it. Two builds side by side keep many cores
-    // busy; two cores are sooner done with one after the other.
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let library = (cores > 2).then(|| {
-        let mut library = server("build", release);
-        library.args(["--lib", "--quiet"]);
-        beside(library)
-    });
-    page::build(release)?;
-    step("server", || {
-        library.map_or(Ok(()), Beside::done)?;
-        run(&mut server("build", release))
+    wasm_target()?;
+    step("page, its bundler and the server, side by side", || {
+        compile(release)
     })?;
+    page::build(release)?;
+    step("server", || run(&mut server("build", release)))?;
     run(server("run", release).arg("--").args(arguments))
+}
+
+/// Compiles what does not wait for each other: only the program embeds the page, the server's library does not know it.
+fn compile(release: bool) -> Outcome {
+    let cores = Cores::shared();
+    let mut library = server("build", release);
+    library.args(["--lib", "--quiet"]);
+    let others = [page::bundler("build"), library].map(|other| beside(cores.give(other)));
+    let page = run(&mut cores.give(page::compiler(release)));
+    let others = others.map(Beside::done);
+    page.and(others.into_iter().collect())
 }
 
 /// `cargo build` or `cargo run` of the server.
