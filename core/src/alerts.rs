@@ -1,6 +1,5 @@
 //! Alerts by IEC 62923: one table of numbers and texts, one state machine (AP-11, FA15, DSP-5).
 
-use crate::stream::AlertView;
 use crate::time::Stamp;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -45,6 +44,19 @@ pub enum Category {
     B,
 }
 
+/// One line of the alert table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// Priority.
+    pub priority: Priority,
+    /// Where it may be acknowledged.
+    pub category: Category,
+    /// Title, at most 18 characters.
+    pub title: &'static str,
+    /// What happened and what to do.
+    pub text: &'static str,
+}
+
 /// How long a silenced alert stays silent (MSC.302(87) 7.3.5).
 pub const SILENCE_MS: u64 = 30_000;
 
@@ -59,11 +71,13 @@ macro_rules! alerts {
         impl Alert {
             /// All alerts, in the order of their numbers.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
-            /// Priority, category, title (at most 18 characters) and text.
+            /// Its line of the table.
             #[must_use]
-            pub const fn definition(self) -> (Priority, Category, &'static str, &'static str) {
+            pub const fn definition(self) -> Definition {
                 match self {
-                    $(Self::$name => (Priority::$priority, Category::$category, $title, $text),)*
+                    $(Self::$name => Definition {
+                        priority: Priority::$priority, category: Category::$category, title: $title, text: $text,
+                    },)*
                 }
             }
         }
@@ -126,26 +140,43 @@ impl Alert {
     }
 }
 
+/// An alert that is not normal.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Active {
-    alert: Alert,
-    state: State,
-    detail: String,
-    at: Stamp,
+pub struct Standing {
+    /// Which.
+    pub alert: Alert,
+    /// Its state by IEC 62923.
+    pub state: State,
+    /// What happened this time; empty where the table's text says it.
+    pub detail: String,
+    /// When the state last changed.
+    pub at: Stamp,
     silent_until: Stamp,
+}
+
+impl Standing {
+    /// What happened and what to do.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        if self.detail.is_empty() {
+            self.alert.definition().text
+        } else {
+            &self.detail
+        }
+    }
 }
 
 /// The alerts of one station.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Alerts {
-    active: Vec<Active>,
+    active: Vec<Standing>,
     changed: Vec<Alert>,
 }
 
 impl Alerts {
     /// Raises an alert, or gives a raised one a new detail. Nothing else changes while it lasts.
     pub fn raise(&mut self, now: Stamp, alert: Alert, detail: &str) {
-        let caution = alert.definition().0 == Priority::Caution;
+        let caution = alert.definition().priority == Priority::Caution;
         let state = if caution {
             State::Acknowledged
         } else {
@@ -158,7 +189,7 @@ impl Alerts {
                 }
             }
             Some(active) => {
-                *active = Active {
+                *active = Standing {
                     alert,
                     state,
                     detail: detail.to_string(),
@@ -168,7 +199,7 @@ impl Alerts {
                 self.note(alert);
             }
             None => {
-                self.active.push(Active {
+                self.active.push(Standing {
                     alert,
                     state,
                     detail: detail.to_string(),
@@ -176,7 +207,7 @@ impl Alerts {
                     silent_until: now,
                 });
                 self.active
-                    .sort_by_key(|active| (active.alert.definition().0, active.alert));
+                    .sort_by_key(|active| (active.alert.definition().priority, active.alert));
                 self.note(alert);
             }
         }
@@ -294,27 +325,8 @@ impl Alerts {
 
     /// All alerts that are not normal, highest first.
     #[must_use]
-    pub fn views(&self) -> Vec<AlertView> {
-        self.active
-            .iter()
-            .map(|active| {
-                let (priority, category, title, text) = active.alert.definition();
-                let text = if active.detail.is_empty() {
-                    text
-                } else {
-                    active.detail.as_str()
-                };
-                AlertView {
-                    number: active.alert.number(),
-                    priority,
-                    state: active.state,
-                    category,
-                    title: title.to_string(),
-                    text: text.to_string(),
-                    at: active.at.0,
-                }
-            })
-            .collect()
+    pub fn standing(&self) -> &[Standing] {
+        &self.active
     }
 
     fn note(&mut self, alert: Alert) {
@@ -331,7 +343,7 @@ mod tests {
     #[test]
     fn every_title_fits_the_alert_sentence() {
         for alert in Alert::ALL {
-            assert!(alert.definition().2.len() <= 18, "{alert:?}");
+            assert!(alert.definition().title.len() <= 18, "{alert:?}");
             assert_eq!(Alert::of_number(alert.number()), Some(*alert));
         }
     }

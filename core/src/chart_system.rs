@@ -13,10 +13,10 @@ mod sentences;
 mod sight;
 mod watch;
 
+use crate::alerts::Standing;
 use crate::picture::Picture;
 use crate::route::{Progress, Route};
 use crate::station::{ChecksumPolicy, Direction, Input, Output, PortSetup, Profile};
-use crate::stream::{ChartOwn, RouteDocument};
 use crate::time::Stamp;
 use crate::units::{Distance, Speed};
 use alloc::string::String;
@@ -225,40 +225,28 @@ impl ChartSystem {
         self.revision
     }
 
-    /// The route as it is drawn, with the forwarding distance in force.
+    /// Index of the leg that is sailed, from 0.
     #[must_use]
-    pub fn document(&self) -> RouteDocument {
-        let Some(route) = &self.route else {
-            return RouteDocument {
-                revision: self.revision,
-                ..RouteDocument::default()
-            };
-        };
-        let mut document = route.document(self.revision);
-        let leg = self
-            .progress
-            .and_then(|progress| progress.leg())
-            .unwrap_or(0);
-        if let (Some(turn), Some(view)) = (route.turn_after(leg), document.turns.get_mut(leg)) {
-            view.forwarding_m = self.forwarding.m();
-            view.wheel_over = turn.wheel_over(self.forwarding);
-        }
-        document
+    pub fn leg(&self) -> Option<usize> {
+        self.progress.and_then(|progress| progress.leg())
     }
 
-    /// What no sentence can say.
+    /// The forwarding distance in force.
     #[must_use]
-    pub fn own(&self) -> ChartOwn {
-        ChartOwn {
-            situation: self.situation(),
-            control: self.control.name().into(),
-            leg: self
-                .progress
-                .and_then(|progress| progress.leg())
-                .unwrap_or(0),
-            wheel_over_s: self.wheel_over_s(self.now),
-            why: self.reason(),
-        }
+    pub const fn forwarding(&self) -> Distance {
+        self.forwarding
+    }
+
+    /// `off`, `heading` (Tn) or `track` (Ti).
+    #[must_use]
+    pub const fn control_name(&self) -> &'static str {
+        self.control.name()
+    }
+
+    /// Its time.
+    #[must_use]
+    pub const fn now(&self) -> Stamp {
+        self.now
     }
 
     /// What it has heard and sent; pages fold the same lines.
@@ -267,10 +255,10 @@ impl ChartSystem {
         self.heard.picture()
     }
 
-    /// Its alerts, the highest first.
+    /// Its alerts that are not normal, the highest first.
     #[must_use]
-    pub fn alerts(&self) -> Vec<crate::stream::AlertView> {
-        self.watch.alerts().views()
+    pub fn alerts(&self) -> &[Standing] {
+        self.watch.alerts().standing()
     }
 
     /// Acknowledges one of its alerts; false where there is nothing to acknowledge.

@@ -186,7 +186,7 @@ fn text<T: Serialize>(value: &T) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stream::{Do, FaultKind};
+    use crate::command::{FaultKind, Order};
 
     fn record(seconds: u64) -> Vec<String> {
         let mut voyage = Voyage::embedded(3);
@@ -194,7 +194,7 @@ mod tests {
         // The checkpoint is taken under way, so that every state is in it.
         voyage.handle(Stamp(130_000), Event::Tick, &mut out);
         let mut lines = alloc::vec![checkpoint(&voyage)];
-        let fault = |cable: &str, kind, on| Do::Fault {
+        let fault = |cable: &str, kind, on| Order::Fault {
             cable: cable.into(),
             kind,
             on,

@@ -5,7 +5,6 @@
 //! **Invariant:** a [`Route`] cannot be wrong: every turn fits both its legs with its forwarding distance and
 //! the time for the early course change indication (TCS-11).
 
-mod document;
 mod embedded;
 mod fault;
 mod fit;

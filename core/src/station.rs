@@ -120,13 +120,3 @@ pub enum Output {
         value: f64,
     },
 }
-
-/// A command that was not done, with the reason an officer would give.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Refusal(pub String);
-
-impl core::fmt::Display for Refusal {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(&self.0)
-    }
-}

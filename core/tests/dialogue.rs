@@ -5,8 +5,8 @@
 use wheelover_core::conformance::{Breach, Checker};
 use wheelover_core::nmea::{Htd, SteeringMode, Xte, decode};
 use wheelover_core::station::Profile;
-use wheelover_core::stream::{ChartRequest, Do, Line, ModeRequest};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{ChartRequest, Line, ModeRequest, Order, hello};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 struct Sailed {
@@ -19,8 +19,7 @@ struct Sailed {
 /// A round by the scripted officer, or in "Tn" by hand.
 fn sail(seed: u64, seconds: u64, by_hand: Option<ChartRequest>) -> Sailed {
     let mut voyage = Voyage::embedded(seed);
-    let ecdis = voyage
-        .hello("test")
+    let ecdis = hello(&voyage, "test")
         .ports
         .iter()
         .position(|port| port.profile == Profile::Ecdis)
@@ -33,10 +32,10 @@ fn sail(seed: u64, seconds: u64, by_hand: Option<ChartRequest>) -> Sailed {
     for step in 1..=seconds * 10 {
         voyage.handle(Stamp(step * 100), Event::Tick, &mut out);
         let button = by_hand.and_then(|request| match step {
-            1 => Some(Do::Officer(false)),
-            20 => Some(Do::Mode(ModeRequest::Auto)),
-            60 => Some(Do::Chart(request)),
-            100 => Some(Do::Mode(ModeRequest::Autonav)),
+            1 => Some(Order::Officer(false)),
+            20 => Some(Order::Mode(ModeRequest::Auto)),
+            60 => Some(Order::Chart(request)),
+            100 => Some(Order::Mode(ModeRequest::Autonav)),
             _ => None,
         });
         if let Some(action) = button {
@@ -44,7 +43,14 @@ fn sail(seed: u64, seconds: u64, by_hand: Option<ChartRequest>) -> Sailed {
             voyage.handle(Stamp(step * 100), event, &mut out);
         }
         for output in out.drain(..) {
-            let VoyageOutput::Line(Line(seq, at, port, _, text)) = output else {
+            let VoyageOutput::Line(Line {
+                seq,
+                at,
+                port,
+                text,
+                ..
+            }) = output
+            else {
                 continue;
             };
             if port != ecdis {

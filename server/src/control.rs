@@ -14,8 +14,8 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, oneshot};
-use wheelover_core::stream::{Answer, Do, Hello, Line, Outline};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{self, Answer, Hello, Line, Order, Outline};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 /// Inputs that may wait.
@@ -51,7 +51,7 @@ pub enum Input {
     /// Somebody commands.
     Command {
         /// What.
-        action: Do,
+        action: Order,
         /// Where the answer goes.
         answer: oneshot::Sender<Answer>,
     },
@@ -166,8 +166,8 @@ impl Thread {
     }
 
     fn run(mut self, inputs: &Receiver<Input>) {
-        self.tell(News::Route(self.parts.voyage.route_document()));
-        self.tell(News::Settings(self.parts.voyage.settings_document()));
+        self.tell(News::Route(view::route_document(&self.parts.voyage)));
+        self.tell(News::Settings(view::settings_document(&self.parts.voyage)));
         let mut planned = self.clock.micros();
         while !self.stop {
             let wall = self.clock.micros();
@@ -245,7 +245,7 @@ impl Thread {
                 self.happen(wall, Event::Command { id, action });
             }
             Input::Hello(reply) => {
-                let mut hello = self.parts.voyage.hello(env!("CARGO_PKG_VERSION"));
+                let mut hello = view::hello(&self.parts.voyage, env!("CARGO_PKG_VERSION"));
                 hello.ship = self.parts.ship;
                 let _ = reply.send(hello);
             }
@@ -288,9 +288,11 @@ impl Thread {
                         keeper.keep(key, value);
                     }
                 }
-                VoyageOutput::Route => self.tell(News::Route(self.parts.voyage.route_document())),
+                VoyageOutput::Route => {
+                    self.tell(News::Route(view::route_document(&self.parts.voyage)))
+                }
                 VoyageOutput::Settings => {
-                    self.tell(News::Settings(self.parts.voyage.settings_document()));
+                    self.tell(News::Settings(view::settings_document(&self.parts.voyage)));
                 }
             }
         }
@@ -305,10 +307,10 @@ impl Thread {
         self.deliver();
         self.send_lines();
         if self.published.is_multiple_of(PORTS_EVERY) {
-            self.tell(News::Ports(self.parts.voyage.ports_document()));
+            self.tell(News::Ports(view::ports_document(&self.parts.voyage)));
         }
         self.published += 1;
-        self.tell(News::Snapshot(Box::new(self.parts.voyage.snapshot())));
+        self.tell(News::Snapshot(Box::new(view::snapshot(&self.parts.voyage))));
     }
 
     fn send_lines(&mut self) {

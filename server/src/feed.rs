@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, watch};
-use wheelover_core::stream::{
+use wheelover_core::view::{
     Down, Line, Lines, PortsDocument, RouteDocument, SettingsDocument, Snapshot,
 };
 
@@ -204,11 +204,11 @@ struct Batch {
 
 impl Batch {
     fn from(&self) -> u64 {
-        self.lines.first().map_or(0, |line| line.0)
+        self.lines.first().map_or(0, |line| line.seq)
     }
 
     fn next(&self) -> u64 {
-        self.lines.last().map_or(0, |line| line.0 + 1)
+        self.lines.last().map_or(0, |line| line.seq + 1)
     }
 }
 
@@ -222,11 +222,13 @@ struct Held {
 impl Held {
     /// Takes lines; the number after them, where there are any.
     fn add(&mut self, lines: Vec<Line>) -> Option<u64> {
-        let next = lines.last()?.0 + 1;
+        let next = lines.last()?.seq + 1;
         // A line that was lost on the way here ends a batch, so that the gap can be seen.
         let mut rest = lines;
         while !rest.is_empty() {
-            let gap = rest.windows(2).position(|pair| pair[1].0 != pair[0].0 + 1);
+            let gap = rest
+                .windows(2)
+                .position(|pair| pair[1].seq != pair[0].seq + 1);
             let later = rest.split_off(gap.map_or(rest.len(), |at| at + 1));
             self.count += rest.len();
             let text = text_of(rest.clone());
@@ -249,7 +251,7 @@ impl Held {
             let lost = batch.from() - from;
             return Some((encode(&Down::Gap { lost })?, batch.from()));
         }
-        let since = batch.lines.partition_point(|line| line.0 < from);
+        let since = batch.lines.partition_point(|line| line.seq < from);
         let mut lines = batch.lines.get(since..)?.to_vec();
         let mut next = batch.next();
         for later in self.batches.iter().skip(at + 1) {
@@ -270,7 +272,7 @@ impl Held {
 
 fn text_of(lines: Vec<Line>) -> Utf8Bytes {
     let message = Down::Lines(Lines {
-        from: lines.first().map_or(0, |line| line.0),
+        from: lines.first().map_or(0, |line| line.seq),
         lines,
     });
     encode(&message).unwrap_or_default()
@@ -283,7 +285,13 @@ mod tests {
 
     fn lines(numbers: impl Iterator<Item = u64>) -> Vec<Line> {
         numbers
-            .map(|number| Line(number, number * 10, 0, Direction::In, format!("${number}")))
+            .map(|number| Line {
+                seq: number,
+                at: number * 10,
+                port: 0,
+                dir: Direction::In,
+                text: format!("${number}"),
+            })
             .collect()
     }
 
@@ -299,8 +307,8 @@ mod tests {
             heard.push(match serde_json::from_str::<Down>(&text).unwrap() {
                 Down::Gap { lost } => format!("gap {lost}"),
                 Down::Lines(lines) => {
-                    assert_eq!(lines.from, lines.lines[0].0);
-                    format!("{}-{}", lines.from, lines.lines.last().unwrap().0)
+                    assert_eq!(lines.from, lines.lines[0].seq);
+                    format!("{}-{}", lines.from, lines.lines.last().unwrap().seq)
                 }
                 other => panic!("{other:?}"),
             });

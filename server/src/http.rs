@@ -23,7 +23,7 @@ use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{Semaphore, watch};
 use tower_http::catch_panic::CatchPanicLayer;
-use wheelover_core::stream::Down;
+use wheelover_core::view::Down;
 
 /// A request whose head takes longer than this is closed (FC12).
 const HEADER_TIMEOUT: Duration = Duration::from_secs(4);

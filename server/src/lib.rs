@@ -36,8 +36,8 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use tokio::net::TcpListener;
 use tokio::sync::{oneshot, watch};
-use wheelover_core::stream::{Do, Outline};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{Order, Outline};
 use wheelover_core::voyage::{Event, Voyage};
 
 /// Seed of the embedded voyage: every start sails the same.
@@ -200,7 +200,7 @@ fn set_pace(voyage: &mut Voyage, speed: f64) -> Result<(), Error> {
         return Err(Error::Other(text.to_owned()));
     }
     let mut out = Vec::new();
-    let action = Do::Speed(speed);
+    let action = Order::Speed(speed);
     voyage.handle(Stamp(0), Event::Command { id: 0, action }, &mut out);
     Ok(())
 }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::{sleep_until, timeout};
-use wheelover_core::stream::{Answer, Do, Down, Up};
+use wheelover_core::view::{Answer, Down, Order, Up};
 
 /// Longest message taken.
 const LONGEST: usize = 16 * 1024;
@@ -276,7 +276,7 @@ fn ended(heard: Option<Result<Message, axum::Error>>) -> End {
 }
 
 /// Gives a command to the control thread; its answer comes by itself.
-fn command(id: u64, action: Do, source: &Source, answers: &mpsc::Sender<Answer>) {
+fn command(id: u64, action: Order, source: &Source, answers: &mpsc::Sender<Answer>) {
     if source.rights == Rights::Look {
         let text = "this page may only look: commands are taken on the ship's own computer";
         return refuse(answers, id, text);

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 use wheelover_core::alerts::State;
 use wheelover_core::nmea::{self, Hdt, Htc, Pney2, Xte};
 use wheelover_core::station::Direction;
-use wheelover_core::stream::{Do, FaultKind, ModeName};
+use wheelover_core::view::{FaultKind, ModeName, Order};
 use wheelover_tests::browser::Browser;
 use wheelover_tests::page::Page;
 use wheelover_tests::program::Program;
@@ -57,7 +57,7 @@ async fn the_picture_moves_and_equals_the_lines() {
         },
     )
     .await;
-    page.command(Do::Speed(1.0)).await;
+    page.command(Order::Speed(1.0)).await;
     page.follow(Duration::from_secs(3)).await;
 
     let place =
@@ -82,8 +82,10 @@ async fn the_picture_moves_and_equals_the_lines() {
     let recent = page
         .lines
         .iter()
-        .filter(|line| line.0 + 300 > from && line.3 == Direction::In);
-    let recent: Vec<_> = recent.map(|line| nmea::decode(line.4.as_bytes())).collect();
+        .filter(|line| line.seq + 300 > from && line.dir == Direction::In);
+    let recent: Vec<_> = recent
+        .map(|line| nmea::decode(line.text.as_bytes()))
+        .collect();
     let heard: Vec<f64> = recent
         .iter()
         .filter_map(|s| Hdt::from_sentence(s)?.heading)
@@ -131,9 +133,9 @@ async fn a_silenced_chart_brings_track_fail_and_it_is_acknowledged() {
         mode(page) == Some(ModeName::AutonavTi)
     })
     .await;
-    page.command(Do::Speed(1.0)).await;
+    page.command(Order::Speed(1.0)).await;
     // Nobody but this page may acknowledge.
-    assert!(page.command(Do::Officer(false)).await.ok);
+    assert!(page.command(Order::Officer(false)).await.ok);
     page.follow(Duration::from_secs(2)).await;
     let from = page.lines.len();
     browser.press("fault-chart-silent").await;
@@ -149,8 +151,8 @@ async fn a_silenced_chart_brings_track_fail_and_it_is_acknowledged() {
     // FA1, by the ship's own clock: the last HTC heard, and the time of the alarm.
     let htc = page.lines[from.saturating_sub(300)..].iter();
     let last = htc
-        .filter(|line| line.3 == Direction::In && line.4.contains("HTC,"))
-        .map(|line| line.1)
+        .filter(|line| line.dir == Direction::In && line.text.contains("HTC,"))
+        .map(|line| line.at)
         .max();
     let alarm = alert(&page, 101).unwrap_or_default();
     let waited = alarm.saturating_sub(last.unwrap_or_default());
@@ -172,7 +174,7 @@ async fn a_silenced_chart_brings_track_fail_and_it_is_acknowledged() {
         .await;
     page.follow(Duration::from_secs(1)).await;
     assert_eq!(state(&page, 101), Some(State::Acknowledged));
-    let fault = Do::Fault {
+    let fault = Order::Fault {
         cable: "ecdis".into(),
         kind: FaultKind::Silent,
         on: false,

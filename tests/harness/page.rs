@@ -8,10 +8,10 @@ use tokio::time::timeout;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::{WebSocketStream, client_async};
 use wheelover_core::picture::Picture;
-use wheelover_core::stream::{
-    Answer, Do, Down, Hello, Line, PortsDocument, RouteDocument, SettingsDocument, Snapshot, Up,
-};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{
+    Answer, Down, Hello, Line, Order, PortsDocument, RouteDocument, SettingsDocument, Snapshot, Up,
+};
 
 /// How long anything may take that should come at once.
 pub const SOON: Duration = Duration::from_secs(20);
@@ -164,7 +164,13 @@ impl Page {
     }
 
     fn fold(&mut self, line: &Line) {
-        let Line(number, at, port, dir, text) = line;
+        let Line {
+            seq: number,
+            at,
+            port,
+            dir,
+            text,
+        } = line;
         if *number <= self.line {
             return;
         }
@@ -206,7 +212,7 @@ impl Page {
     ///
     /// # Panics
     /// None comes within 20 s.
-    pub async fn command(&mut self, action: Do) -> Answer {
+    pub async fn command(&mut self, action: Order) -> Answer {
         self.commands += 1;
         let id = 7_000 + self.commands;
         self.say(&Up::Command { id, action }).await;
@@ -225,7 +231,7 @@ impl Page {
     ///
     /// # Panics
     /// It is still refused after that time.
-    pub async fn insist(&mut self, action: Do, within: Duration) {
+    pub async fn insist(&mut self, action: Order, within: Duration) {
         let end = Instant::now() + within;
         loop {
             let answer = self.command(action.clone()).await;

@@ -2,7 +2,7 @@
 
 use crate::{autopilot, command, fields};
 use std::time::{Duration, Instant};
-use wheelover_core::stream::{Do, ModeRequest};
+use wheelover_core::view::{ModeRequest, Order};
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::Program;
 use wheelover_tests::serial::{Line, Talker};
@@ -71,10 +71,10 @@ async fn a_recorded_dialogue_is_followed_and_answered_each_second() {
     let program = Program::start(&["--config", &config]);
     let _compass = gyro(&compass, 245.0);
     let mut page = Page::open(program.address).await;
-    page.insist(Do::Mode(ModeRequest::Auto), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Auto), SOON).await;
     page.leave().await;
     let _chart = play(&ecdis, recorded("track_on_a_leg.txt"));
-    let answer = command(&program, Do::Mode(ModeRequest::Autonav)).await;
+    let answer = command(&program, Order::Mode(ModeRequest::Autonav)).await;
     assert!(answer.ok, "{}", answer.text);
 
     let lines = ecdis.listen(Duration::from_secs(22));
@@ -205,7 +205,7 @@ async fn nothing_leaves_a_port_until_output_is_allowed() {
     let program = Program::start(&["--config", &config]);
     let _compass = gyro(&compass, 100.0);
     let mut page = Page::open(program.address).await;
-    page.insist(Do::Mode(ModeRequest::Auto), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Auto), SOON).await;
     let lines = page.line;
     page.until("five seconds of lines", SOON, |page| page.line > lines + 80)
         .await;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::time::Duration;
 use wheelover_core::nmea::{Framer, json, with_checksum};
 use wheelover_core::station::Direction;
-use wheelover_core::stream;
+use wheelover_core::view;
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 use wheelover_tests::page::Page;
 use wheelover_tests::program::Program;
@@ -34,7 +34,7 @@ fn voyage(seconds: u64) -> Vec<Vec<u8>> {
         voyage.handle(voyage.now() + 1_000, Event::Tick, &mut out);
     }
     let line = |output: VoyageOutput| match output {
-        VoyageOutput::Line(line) => Some(line.4.chars().map(|c| c as u8).collect()),
+        VoyageOutput::Line(line) => Some(line.text.chars().map(|c| c as u8).collect()),
         _ => None,
     };
     out.into_iter().filter_map(line).collect()
@@ -105,18 +105,18 @@ async fn a_golden_log_over_a_serial_line_is_what_it_is_directly() {
     let wanted = frames.len();
     let heard = |page: &Page| {
         let lines = page.lines.iter();
-        let heard = |line: &&stream::Line| line.3 == Direction::In;
+        let heard = |line: &&view::Line| line.dir == Direction::In;
         lines.filter(heard).count()
     };
     let name = format!("{wanted} lines");
     page.until(&name, Duration::from_secs(60), |page| heard(page) >= wanted)
         .await;
     drop(sender.join());
-    let of_line = |line: &stream::Line| line.4.chars().map(|c| c as u8).collect();
+    let of_line = |line: &view::Line| line.text.chars().map(|c| c as u8).collect();
     let served = explained(
         page.lines
             .iter()
-            .filter(|line| line.3 == Direction::In)
+            .filter(|line| line.dir == Direction::In)
             .map(of_line),
     );
     assert!(page.gaps.is_empty(), "{:?}", page.gaps);

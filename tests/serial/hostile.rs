@@ -2,7 +2,7 @@
 
 use crate::{autopilot, fields};
 use std::time::Duration;
-use wheelover_core::stream::{Do, ModeRequest};
+use wheelover_core::view::{ModeRequest, Order};
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::Program;
 use wheelover_tests::serial::Line;
@@ -65,8 +65,8 @@ async fn nothing_malformed_moves_the_rudder() {
         if tick % 10 == 0 { vec![vtg] } else { vec![] }
     });
     let mut page = Page::open(program.address).await;
-    page.insist(Do::Mode(ModeRequest::Auto), SOON).await;
-    page.insist(Do::Mode(ModeRequest::Autonav), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Auto), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Autonav), SOON).await;
     page.leave().await;
     gear.listen(Duration::from_millis(300));
 

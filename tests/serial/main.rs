@@ -7,7 +7,7 @@ mod hostile;
 mod two_programs;
 
 use std::path::Path;
-use wheelover_core::stream::{Answer, Do};
+use wheelover_core::view::{Answer, Order};
 use wheelover_tests::page::Page;
 use wheelover_tests::program::Program;
 
@@ -30,7 +30,7 @@ fn autopilot(folder: &Path, ports: &[&str], allow_output: bool) -> String {
 }
 
 /// Commands once on a connection of its own.
-async fn command(program: &Program, action: Do) -> Answer {
+async fn command(program: &Program, action: Order) -> Answer {
     let mut page = Page::open(program.address).await;
     let answer = page.command(action).await;
     page.leave().await;

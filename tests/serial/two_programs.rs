@@ -6,8 +6,8 @@ use std::time::Duration;
 use wheelover_core::geo::{Position, rhumb};
 use wheelover_core::nmea::{self, Htc, Htd, Pney1, SteeringMode, TurnMode, Xte};
 use wheelover_core::station::Direction;
-use wheelover_core::stream::{ChartRequest, Do, Line, ModeName, ModeRequest};
 use wheelover_core::units::{Course, Distance};
+use wheelover_core::view::{ChartRequest, Line, ModeName, ModeRequest, Order};
 use wheelover_tests::folder;
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::Program;
@@ -25,7 +25,7 @@ const LINES: [(&str, &str); 5] = [
 fn situations(lines: &[Line]) -> (Vec<u8>, f64) {
     let (mut seen, mut worst, mut turned) = (Vec::new(), 0.0_f64, false);
     let (mut htc, mut xte) = (None::<Htc>, None::<Xte>);
-    for Line(_, _, _, dir, text) in lines {
+    for Line { dir, text, .. } in lines {
         let sentence = nmea::decode(text.as_bytes());
         if *dir == Direction::In {
             htc = Htc::from_sentence(&sentence).or(htc);
@@ -105,12 +105,12 @@ async fn two_legs_and_the_turn_between_them_over_serial_lines() {
     let ship = Program::start(&["--config", &file.display().to_string()]);
 
     let mut page = Page::open(steering.address).await;
-    page.insist(Do::Mode(ModeRequest::Auto), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Auto), SOON).await;
     let mut chart = Page::open(ship.address).await;
     assert_eq!(chart.hello.station, "chart_system");
-    chart.insist(Do::Chart(ChartRequest::Track), SOON).await;
+    chart.insist(Order::Chart(ChartRequest::Track), SOON).await;
     chart.leave().await;
-    page.insist(Do::Mode(ModeRequest::Autonav), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Autonav), SOON).await;
     page.until("track control", SOON, |page| {
         mode(page) == Some(ModeName::AutonavTi)
     })
@@ -125,9 +125,9 @@ async fn two_legs_and_the_turn_between_them_over_serial_lines() {
     assert_eq!(seen, [2, 3, 4, 5]);
     assert!(worst < 50.0, "{worst} m off the track");
     assert_eq!(page.gaps, [] as [u64; 0]);
-    let htd = page.lines.iter().filter(|line| line.3 == Direction::Out);
+    let htd = page.lines.iter().filter(|line| line.dir == Direction::Out);
     let htd: Vec<Htd> = htd
-        .filter_map(|line| Htd::from_sentence(&nmea::decode(line.4.as_bytes())))
+        .filter_map(|line| Htd::from_sentence(&nmea::decode(line.text.as_bytes())))
         .collect();
     let turning = htd
         .iter()

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 use std::time::Duration;
-use wheelover_core::stream::{Do, FaultKind};
+use wheelover_core::view::{FaultKind, Order};
 use wheelover_tests::folder;
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::{Program, binary};
@@ -27,7 +27,7 @@ async fn a_recorded_voyage_with_faults_replays_with_identical_outputs() {
     ] {
         for on in [true, false] {
             let cable = cable.to_string();
-            assert!(page.command(Do::Fault { cable, kind, on }).await.ok);
+            assert!(page.command(Order::Fault { cable, kind, on }).await.ok);
             page.follow(Duration::from_millis(600)).await;
         }
     }

@@ -1,7 +1,7 @@
 //! Hello, documents, lines, snapshots with digests, answers, resume and the window of three.
 
 use std::time::{Duration, Instant};
-use wheelover_core::stream::{Do, Down, FaultKind, ModeName, ModeRequest, PROTOCOL, Up};
+use wheelover_core::view::{Down, FaultKind, ModeName, ModeRequest, Order, PROTOCOL, Up};
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::Program;
 
@@ -47,12 +47,12 @@ async fn lines_have_no_gap_and_the_digests_agree_at_ten_times_the_time() {
     assert_eq!(page.differed, [] as [u64; 0]);
     assert_eq!(page.gaps, [] as [u64; 0]);
     assert!(page.lines.len() > 1_000);
-    let numbers: Vec<u64> = page.lines.iter().map(|line| line.0).collect();
+    let numbers: Vec<u64> = page.lines.iter().map(|line| line.seq).collect();
     assert!(numbers.windows(2).all(|pair| pair[1] == pair[0] + 1));
     let text = page
         .lines
         .iter()
-        .map(|line| line.4.as_str())
+        .map(|line| line.text.as_str())
         .collect::<String>();
     for formatter in ["HTC,", "HTD,", "PNEY,002", "HDT,", "ROR,", "RSA,", "GLL,"] {
         assert!(text.contains(formatter), "{formatter}");
@@ -63,26 +63,26 @@ async fn lines_have_no_gap_and_the_digests_agree_at_ten_times_the_time() {
 async fn commands_are_answered_once_with_what_followed_or_why_not() {
     let program = Program::start(&[]);
     let mut page = Page::open(program.address).await;
-    let answer = page.command(Do::Officer(false)).await;
+    let answer = page.command(Order::Officer(false)).await;
     assert!(answer.ok, "{}", answer.text);
-    page.insist(Do::Mode(ModeRequest::Auto), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Auto), SOON).await;
     page.until("AUTO", SOON, |page| mode(page) == Some(ModeName::Auto))
         .await;
-    let answer = page.command(Do::SetHeading(250.0)).await;
+    let answer = page.command(Order::SetHeading(250.0)).await;
     assert_eq!(
         (answer.ok, answer.text.as_str()),
         (true, "set heading 250.0")
     );
-    let answer = page.command(Do::AdjustHeading(10.0)).await;
+    let answer = page.command(Order::AdjustHeading(10.0)).await;
     assert_eq!(answer.text, "set heading 260.0");
-    let answer = page.command(Do::Speed(600.0)).await;
+    let answer = page.command(Order::Speed(600.0)).await;
     assert_eq!(
         (answer.ok, answer.text.as_str()),
         (false, "speed is 600, allowed are 1 to 60")
     );
-    let answer = page.command(Do::Acknowledge(101)).await;
+    let answer = page.command(Order::Acknowledge(101)).await;
     assert!(!answer.ok);
-    let fault = |on| Do::Fault {
+    let fault = |on| Order::Fault {
         cable: "ecdis".into(),
         kind: FaultKind::Silent,
         on,
@@ -94,7 +94,7 @@ async fn commands_are_answered_once_with_what_followed_or_why_not() {
     })
     .await;
     assert!(page.command(fault(false)).await.ok);
-    page.insist(Do::Mode(ModeRequest::Standby), SOON).await;
+    page.insist(Order::Mode(ModeRequest::Standby), SOON).await;
     page.until("STANDBY", SOON, |page| {
         mode(page) == Some(ModeName::Standby)
     })

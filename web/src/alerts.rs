@@ -4,7 +4,7 @@ use crate::deck::Deck;
 use crate::format;
 use leptos::prelude::*;
 use wheelover_core::alerts::{Category, Priority, State};
-use wheelover_core::stream::{AlertView, Do};
+use wheelover_core::view::{AlertView, Order};
 
 const fn priority_key(priority: Priority) -> &'static str {
     match priority {
@@ -137,7 +137,7 @@ pub(crate) fn AlertBar() -> impl IntoView {
                 class="act"
                 data-command="silence"
                 disabled=move || !sounding.get()
-                on:click=move |_| deck.command("silence", Do::Silence(true))
+                on:click=move |_| deck.command("silence", Order::Silence(true))
             >
                 "Silence"
             </button>
@@ -148,7 +148,7 @@ pub(crate) fn AlertBar() -> impl IntoView {
                 disabled=move || takable.get().is_none()
                 on:click=move |_| {
                     if let Some(number) = takable.get_untracked() {
-                        deck.command("acknowledge", Do::Acknowledge(number));
+                        deck.command("acknowledge", Order::Acknowledge(number));
                     }
                 }
             >
@@ -200,7 +200,7 @@ fn Row(alert: AlertView) -> impl IntoView {
             <button
                 type="button"
                 disabled=!may_acknowledge(&alert)
-                on:click=move |_| deck.command("acknowledge", Do::Acknowledge(number))
+                on:click=move |_| deck.command("acknowledge", Order::Acknowledge(number))
             >
                 "ACK"
             </button>

@@ -5,10 +5,10 @@ use crate::link::{self, wall};
 use crate::reading::Readings;
 use leptos::prelude::*;
 use std::time::Duration;
-use wheelover_core::stream::{
-    Answer, Do, Hello, Lines, Outline, PortView, RouteDocument, Snapshot,
-};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{
+    Answer, Hello, Lines, Order, Outline, PortView, RouteDocument, Snapshot,
+};
 
 /// A frame may be so late before the page lets its own clock run on, milliseconds on the wall.
 const BATCH: f64 = 300.0;
@@ -260,7 +260,7 @@ impl Deck {
     }
 
     /// Sends a command for a button.
-    pub(crate) fn command(&self, button: &str, action: Do) {
+    pub(crate) fn command(&self, button: &str, action: Order) {
         match link::command(action) {
             Some(id) => {
                 self.asked.update(|asked| {

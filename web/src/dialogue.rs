@@ -9,7 +9,7 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, MouseEvent};
 use wheelover_core::station::Direction;
-use wheelover_core::stream::Line;
+use wheelover_core::view::Line;
 
 /// A sentence and the field of it that is looked at.
 type Chosen = RwSignal<Option<(Lane, usize)>>;
@@ -112,7 +112,11 @@ fn Row(lane: Lane, chosen: Chosen) -> impl IntoView {
     let dictionary = Dictionary::here();
     let (line, when) = latest(deck, lane.clone());
     let text = Memo::new(move |_| {
-        line.with(|line| line.as_ref().map(|line| line.4.clone()).unwrap_or_default())
+        line.with(|line| {
+            line.as_ref()
+                .map(|line| line.text.clone())
+                .unwrap_or_default()
+        })
     });
     let mine = StoredValue::new(lane.clone());
     let field = Signal::derive(move || {
@@ -162,7 +166,7 @@ fn latest(deck: Deck, lane: Lane) -> (Memo<Option<Line>>, Memo<String>) {
         let now = deck.readings.with(|readings| readings.now.0);
         found.with(|found| {
             found.as_ref().map_or_else(String::new, |found| {
-                let age = now.saturating_sub(found.line.1);
+                let age = now.saturating_sub(found.line.at);
                 if age > 2_000 {
                     format!("{} ago", format::seconds(age))
                 } else {
@@ -183,7 +187,7 @@ fn Looked(chosen: Chosen) -> impl IntoView {
         deck.readings.track();
         chosen.with(|chosen| {
             let (lane, _) = chosen.as_ref()?;
-            deck.with_fold(|fold| fold.latest.get(lane).map(|latest| latest.line.4.clone()))
+            deck.with_fold(|fold| fold.latest.get(lane).map(|latest| latest.line.text.clone()))
         })
     });
     let table = move || {
@@ -216,9 +220,9 @@ fn Log(port: RwSignal<usize>) -> impl IntoView {
                 .log
                 .iter()
                 .rev()
-                .filter(|line| line.2 == port)
+                .filter(|line| line.port == port)
                 .take(40)
-                .map(|Line(_, at, _, dir, text)| {
+                .map(|Line { at, dir, text, .. }| {
                     let arrow = if *dir == Direction::In { '<' } else { '>' };
                     format!("{:>5}.{:03} {arrow} {text}", at / 1_000, at % 1_000)
                 })

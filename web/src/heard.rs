@@ -7,8 +7,8 @@ use wheelover_core::geo::{Plane, Position};
 use wheelover_core::nmea;
 use wheelover_core::picture::Picture;
 use wheelover_core::station::{Direction, PortIndex};
-use wheelover_core::stream::{Hello, Line, Lines, Snapshot};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{Hello, Line, Lines, Snapshot};
 
 /// Whether the page's picture is the server's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -86,7 +86,13 @@ impl Fold {
     /// Folds what is new. False where lines are missing, so that the picture is not to be believed.
     pub fn lines(&mut self, lines: &Lines) -> bool {
         for line in &lines.lines {
-            let Line(sequence, at, port, dir, text) = line;
+            let Line {
+                seq: sequence,
+                at,
+                port,
+                dir,
+                text,
+            } = line;
             if *sequence <= self.seen {
                 continue;
             }
@@ -160,7 +166,7 @@ impl Fold {
         let period = self
             .latest
             .get(&lane)
-            .map_or(0, |latest| line.1.saturating_sub(latest.line.1));
+            .map_or(0, |latest| line.at.saturating_sub(latest.line.at));
         if self.latest.len() < 200 || self.latest.contains_key(&lane) {
             self.latest.insert(
                 lane,

@@ -1,6 +1,6 @@
 //! The page: bridge view, dialogue and decoder (Leptos, client-side rendered).
 //!
-//! In: frames of [`wheelover_core::stream`]. The heard is folded here from the raw lines by the core itself; the own
+//! In: frames of [`wheelover_core::view`]. The heard is folded here from the raw lines by the core itself; the own
 //! facts come from the snapshot; the digest of both pictures is compared. Out: commands, acknowledgements.
 //!
 //! What tests and scripts hold on to stands in attributes, never in classes: `data-value` with `data-state` for each

@@ -11,8 +11,8 @@ use std::time::Duration;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CloseEvent, MessageEvent, WebSocket};
-use wheelover_core::stream::{
-    Answer, Do, Hello, Lines, PortsDocument, RouteDocument, Snapshot, Up,
+use wheelover_core::view::{
+    Answer, Hello, Lines, Order, PortsDocument, RouteDocument, Snapshot, Up,
 };
 
 /// First wait before a new connection, milliseconds; doubled up to [`LONGEST_WAIT`].
@@ -84,7 +84,7 @@ pub(crate) fn watch(deck: Deck) {
 }
 
 /// Sends a command; gives back its number, or nothing where there is no link.
-pub(crate) fn command(action: Do) -> Option<u64> {
+pub(crate) fn command(action: Order) -> Option<u64> {
     let id = STATE.with_borrow_mut(|state| {
         state.next_command += 1;
         state.next_command

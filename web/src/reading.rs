@@ -3,9 +3,9 @@
 use wheelover_core::geo::Position;
 use wheelover_core::limits::{Freshness, Quantity};
 use wheelover_core::picture::{Heard, Picture};
-use wheelover_core::stream::{Own, Snapshot};
 use wheelover_core::time::Stamp;
 use wheelover_core::units::wrap_180;
+use wheelover_core::view::{Own, Snapshot};
 
 /// One shown quantity.
 #[derive(Clone, Debug, PartialEq)]

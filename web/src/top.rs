@@ -7,7 +7,7 @@ use crate::heard::Agreement;
 use crate::palette::Palettes;
 use crate::situation;
 use leptos::prelude::*;
-use wheelover_core::stream::ModeName;
+use wheelover_core::view::ModeName;
 
 /// The mode as the badge says it.
 #[must_use]

@@ -5,16 +5,16 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use wheelover_core::recording;
-use wheelover_core::stream::{Do, Down, FaultKind, Line, Lines};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{Down, FaultKind, Line, Lines, Order, hello, snapshot};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 use wheelover_web::heard::{Agreement, Fold};
 
 /// Seconds of the voyage: past its first turn.
 const SECONDS: u64 = 240;
 
-fn fault(cable: &str, kind: FaultKind, on: bool) -> Do {
-    Do::Fault {
+fn fault(cable: &str, kind: FaultKind, on: bool) -> Order {
+    Order::Fault {
         cable: cable.to_owned(),
         kind,
         on,
@@ -22,7 +22,7 @@ fn fault(cable: &str, kind: FaultKind, on: bool) -> Do {
 }
 
 /// What happens, and when.
-fn script() -> Vec<(u64, Do)> {
+fn script() -> Vec<(u64, Order)> {
     vec![
         (100_000, fault("gyro1", FaultKind::Jump, true)),
         (104_000, fault("gyro1", FaultKind::Jump, false)),
@@ -32,7 +32,7 @@ fn script() -> Vec<(u64, Do)> {
         (195_000, fault("ecdis", FaultKind::Silent, false)),
         (
             200_000,
-            Do::Current {
+            Order::Current {
                 set: 90.0,
                 drift: 1.0,
             },
@@ -56,7 +56,7 @@ fn sail() -> Sailed {
         disagreed: 0,
         agreed: 0,
     };
-    sailed.fold.greet(&voyage.hello("test"));
+    sailed.fold.greet(&hello(&voyage, "test"));
     let mut script = script().into_iter().peekable();
     let mut out = Vec::new();
     for step in 1..=SECONDS * 10 {
@@ -80,7 +80,7 @@ fn sail() -> Sailed {
         if let Some(first) = lines.first() {
             // Through JSON, as it crosses to the browser.
             let down = Down::Lines(Lines {
-                from: first.0,
+                from: first.seq,
                 lines,
             });
             let text = serde_json::to_string(&down).expect("every frame has a text");
@@ -89,7 +89,7 @@ fn sail() -> Sailed {
             };
             assert!(sailed.fold.lines(&lines), "no line is missing");
         }
-        sailed.fold.snapshot(&voyage.snapshot());
+        sailed.fold.snapshot(&snapshot(&voyage));
         match sailed.fold.agreement {
             Agreement::Agree => sailed.agreed += 1,
             Agreement::Disagree => sailed.disagreed += 1,

@@ -4,9 +4,9 @@ use super::modes::Event;
 use super::steering::Path;
 use super::{Autopilot, CONFIRM_MS, Mode};
 use crate::alerts::Alert;
+use crate::command::Refusal;
 use crate::limits::Quantity;
 use crate::nmea::{Htc, OverrideStatus, SteeringMode, TurnMode};
-use crate::station::Refusal;
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Radius, RateOfTurn};
 use alloc::string::{String, ToString};
@@ -49,7 +49,8 @@ impl Autopilot {
     }
 
     /// What a pending selection still waits for, in an officer's words.
-    pub(super) fn waits_for(&self, now: Stamp) -> String {
+    #[must_use]
+    pub fn waits_for(&self, now: Stamp) -> String {
         match self.wanted(now) {
             None => "waits for the chart system".into(),
             Some(wanted) => match self.missing(now, wanted) {

@@ -11,7 +11,6 @@ mod follow;
 mod guard;
 mod modes;
 mod operator;
-mod own;
 mod report;
 mod sensors;
 pub mod steering;
@@ -22,7 +21,6 @@ use crate::nmea::{self, Ear, Frame};
 use crate::picture::Picture;
 use crate::settings::Settings;
 use crate::station::{Direction, Input, Output, PortIndex, PortSetup, Profile};
-use crate::stream::ModeName;
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle};
 use alloc::collections::VecDeque;
@@ -31,7 +29,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use guard::{HeadingGuard, PositionGuard};
 use modes::{Event, Ship};
-pub use modes::{Finish, Mode};
+pub use modes::{Finish, Mode, ModeName};
 use serde::{Deserialize, Serialize};
 use steering::{Demand, Steered, Steering, SteeringSettings, TurnBy};
 
@@ -326,7 +324,8 @@ impl Autopilot {
     }
 
     /// Heading to steer in force.
-    fn hts(&self) -> Option<Heading> {
+    #[must_use]
+    pub fn hts(&self) -> Option<Heading> {
         match &self.mode {
             Mode::Auto { set, .. } => Some(*set),
             Mode::AutonavTn { hts, .. } => Some(*hts),
@@ -345,10 +344,22 @@ impl Autopilot {
         &self.picture
     }
 
-    /// Whether an AutoNAV selection waits for its confirmation.
+    /// Until when an AutoNAV selection waits for its confirmation.
     #[must_use]
-    pub const fn pending(&self) -> bool {
-        self.pending.is_some()
+    pub const fn pending(&self) -> Option<Stamp> {
+        self.pending
+    }
+
+    /// Why the mode is what it is: last refusal or cause, in an officer's words.
+    #[must_use]
+    pub fn why(&self) -> &str {
+        &self.why
+    }
+
+    /// What the steering gave in the last step; absent where no order was computed.
+    #[must_use]
+    pub const fn steered(&self) -> Option<&Steered> {
+        self.steered.as_ref()
     }
 
     /// Its alerts.

@@ -1,10 +1,29 @@
 //! Modes of the autopilot and every transition between them (AP-6, TCS-8 to TCS-10, HTC-1, FA7).
 
 use super::steering::{Path, TurnBy};
-use crate::stream::ModeName;
 use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle};
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
+
+/// The autopilot's mode as it is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModeName {
+    /// The autopilot gives no orders.
+    Standby,
+    /// The hardware override is in use.
+    NfuOverride,
+    /// Heading control.
+    Auto,
+    /// Remote heading control by a chart system.
+    AutonavTn,
+    /// Track control by a chart system.
+    AutonavTi,
+    /// Following APB.
+    Track,
+    /// Rudder frozen after a critical failure.
+    RudderHold,
+}
 
 /// What the autopilot does; each variant owns what it needs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

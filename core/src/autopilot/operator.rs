@@ -3,8 +3,7 @@
 use super::modes::Event;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
-use crate::station::Refusal;
-use crate::stream::{Do, ModeRequest};
+use crate::command::{ModeRequest, Order, Refusal};
 use crate::time::Stamp;
 use crate::units::{Heading, RudderAngle, Turn};
 use alloc::format;
@@ -15,43 +14,43 @@ impl Autopilot {
     ///
     /// # Errors
     /// The reason an officer would give.
-    pub fn command(&mut self, now: Stamp, action: &Do) -> Result<String, Refusal> {
+    pub fn command(&mut self, now: Stamp, action: &Order) -> Result<String, Refusal> {
         let result = match action {
-            Do::Mode(ModeRequest::Standby) => {
+            Order::Mode(ModeRequest::Standby) => {
                 self.pending = None;
                 self.alerts.rectify(now, Alert::HeadingLost);
                 self.alerts.rectify(now, Alert::Override);
                 self.apply(now, &Event::Standby, "operator selected STANDBY");
                 Ok("STANDBY".into())
             }
-            Do::Mode(ModeRequest::Auto) => self.select_auto(now),
-            Do::Mode(ModeRequest::Autonav) => self.request_autonav(now),
-            Do::Mode(ModeRequest::Cancel) => {
+            Order::Mode(ModeRequest::Auto) => self.select_auto(now),
+            Order::Mode(ModeRequest::Autonav) => self.request_autonav(now),
+            Order::Mode(ModeRequest::Cancel) => {
                 self.pending = None;
                 Ok("AutoNAV selection withdrawn".into())
             }
-            Do::Mode(ModeRequest::Track) => {
+            Order::Mode(ModeRequest::Track) => {
                 Err(Refusal("TRACK needs valid APB: none is heard".into()))
             }
-            Do::SetHeading(degrees) => self.set_heading(now, Heading::from_deg(*degrees)),
-            Do::AdjustHeading(degrees) => match &self.mode {
+            Order::SetHeading(degrees) => self.set_heading(now, Heading::from_deg(*degrees)),
+            Order::AdjustHeading(degrees) => match &self.mode {
                 Mode::Auto { set, .. } => {
                     let set = *set + Turn::from_deg(*degrees);
                     self.set_heading(now, set)
                 }
                 _ => Err(Refusal("the heading is set in AUTO only".into())),
             },
-            Do::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
+            Order::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
                 Ok(format!("alert {number} acknowledged"))
             }
-            Do::Acknowledge(number) => Err(Refusal(format!(
+            Order::Acknowledge(number) => Err(Refusal(format!(
                 "alert {number} waits for no acknowledgement"
             ))),
-            Do::Silence(_) => {
+            Order::Silence(_) => {
                 self.alerts.silence(now);
                 Ok("silenced for 30 s".into())
             }
-            Do::Setting { key, value } => {
+            Order::Setting { key, value } => {
                 self.settings.set(key, *value).map_err(Refusal)?;
                 let ship = self.steering.settings_mut();
                 ship.slew = self.settings.rudder_slew;

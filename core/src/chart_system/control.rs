@@ -1,10 +1,9 @@
 //! Who is asked to steer: off, track control ("Ti") or remote heading control ("Tn"), and what each needs.
 
 use super::ChartSystem;
+use crate::command::{ChartRequest, Refusal};
 use crate::nmea::SteeringMode;
 use crate::route::{Phase, Progress};
-use crate::station::Refusal;
-use crate::stream::ChartRequest;
 use crate::time::Stamp;
 use crate::units::{Course, Turn};
 use alloc::format;
@@ -184,7 +183,8 @@ impl ChartSystem {
     }
 
     /// Why things are as they are: who follows, or the last refusal or end.
-    pub(super) fn reason(&self) -> String {
+    #[must_use]
+    pub fn reason(&self) -> String {
         let wanted = match self.control {
             Control::Off => return self.why.clone(),
             Control::Track { .. } => (SteeringMode::TrackControl, "track control"),

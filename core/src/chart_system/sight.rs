@@ -134,7 +134,8 @@ impl ChartSystem {
     }
 
     /// Seconds to the wheel-over line, or to the last waypoint on the last leg.
-    pub(super) fn wheel_over_s(&self, now: Stamp) -> Option<f64> {
+    #[must_use]
+    pub fn wheel_over_s(&self, now: Stamp) -> Option<f64> {
         let (route, progress) = (self.route.as_ref()?, self.progress?);
         let here = self.here(now)?;
         let distance = progress.to_wheel_over(route, here.position, self.forwarding)?;

@@ -8,13 +8,13 @@ mod situations;
 mod station;
 
 use super::*;
+use crate::command::ChartRequest;
 use crate::geo::{Position, rhumb};
 use crate::nmea::{
     self, DataStatus, Gll, Hdt, Htc, Htd, ModeIndicator, Pney1, Pney2, SteeringMode, TurnMode,
     UtcTime, Vhw, Vtg, Xte,
 };
 use crate::route::{RouteLimits, Waypoint};
-use crate::stream::ChartRequest;
 use crate::units::{Course, Radius};
 use alloc::vec;
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::chart_system::tests::Bench;
-use crate::stream::ChartRequest;
+use crate::command::ChartRequest;
 use alloc::string::ToString;
 use alloc::vec;
 

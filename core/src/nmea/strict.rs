@@ -4,7 +4,7 @@ use super::fault::FaultKind;
 use super::tables::Htc;
 use super::{CommandStatus, OverrideStatus, Reference, Sentence, SteeringMode, TurnMode};
 use alloc::format;
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use serde::{Deserialize, Serialize};
 
 /// An HTC that may be obeyed.
@@ -136,12 +136,6 @@ pub fn steering(
         track: htc.track,
         reference: htc.reference,
     })
-}
-
-impl From<HtcRefusal> for crate::station::Refusal {
-    fn from(refusal: HtcRefusal) -> Self {
-        Self(refusal.to_string())
-    }
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::manoeuvre::Plan;
 use crate::autopilot::steering::Path;
+use crate::command::Refusal;
 use crate::geo::Point;
-use crate::station::Refusal;
 use crate::units::{Course, Radius};
 use alloc::collections::BTreeMap;
 use alloc::format;

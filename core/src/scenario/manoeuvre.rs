@@ -1,7 +1,7 @@
 //! Open-loop manoeuvres: turning circle, zigzag, spiral.
 
 use super::metrics::Report;
-use crate::station::Refusal;
+use crate::command::Refusal;
 use crate::units::METRES_PER_SECOND_PER_KNOT;
 use crate::world::{Drive, Hull};
 use alloc::format;

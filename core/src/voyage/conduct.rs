@@ -2,7 +2,7 @@
 
 use super::officer::{Action, Officer, Watch};
 use super::{Voyage, VoyageOutput};
-use crate::stream::{Do, FaultKind};
+use crate::command::{FaultKind, Order};
 use crate::time::Stamp;
 use crate::units::{Course, Speed};
 use alloc::format;
@@ -13,7 +13,7 @@ impl Voyage {
     pub(super) fn command(
         &mut self,
         now: Stamp,
-        action: &Do,
+        action: &Order,
         out: &mut Vec<VoyageOutput>,
     ) -> Result<String, String> {
         if self.embedded.is_some() && takes_the_watch(action) && self.officer.on {
@@ -26,18 +26,18 @@ impl Voyage {
     pub(super) fn carry_out(
         &mut self,
         now: Stamp,
-        action: &Do,
+        action: &Order,
         out: &mut Vec<VoyageOutput>,
     ) -> Result<String, String> {
         match action {
-            Do::Speed(_) | Do::Officer(_) | Do::Fault { .. } | Do::Current { .. } => {
+            Order::Speed(_) | Order::Officer(_) | Order::Fault { .. } | Order::Current { .. } => {
                 self.conduct(now, action)
             }
-            Do::Chart(request) => match &mut self.chart {
+            Order::Chart(request) => match &mut self.chart {
                 Some(chart) => chart.command(now, request).map_err(|refusal| refusal.0),
                 None => Err("the chart system is a foreign one".into()),
             },
-            Do::Acknowledge(number) if *number >= 200 => {
+            Order::Acknowledge(number) if *number >= 200 => {
                 let taken = self
                     .chart
                     .as_mut()
@@ -49,14 +49,14 @@ impl Voyage {
                 }
             }
             _ => {
-                if let (Do::Silence(_), Some(chart)) = (action, &mut self.chart) {
+                if let (Order::Silence(_), Some(chart)) = (action, &mut self.chart) {
                     chart.silence(now);
                 }
                 let Some(autopilot) = &mut self.autopilot else {
                     return Err("the autopilot is a foreign one: command it there".into());
                 };
                 let answer = autopilot.command(now, action).map_err(|refusal| refusal.0);
-                if let (Do::Setting { key, value }, Ok(_)) = (action, &answer) {
+                if let (Order::Setting { key, value }, Ok(_)) = (action, &answer) {
                     self.settings_revision += 1;
                     out.push(VoyageOutput::Persist {
                         key: key.clone(),
@@ -70,17 +70,17 @@ impl Voyage {
     }
 
     /// Commands that only the embedded voyage knows.
-    pub(super) fn conduct(&mut self, now: Stamp, action: &Do) -> Result<String, String> {
+    pub(super) fn conduct(&mut self, now: Stamp, action: &Order) -> Result<String, String> {
         if self.embedded.is_none() {
             return Err("only in the embedded voyage".into());
         }
         match action {
-            Do::Speed(speed) if (1.0..=60.0).contains(speed) => {
+            Order::Speed(speed) if (1.0..=60.0).contains(speed) => {
                 self.speed = *speed;
                 Ok(format!("{speed}x"))
             }
-            Do::Speed(speed) => Err(format!("speed is {speed}, allowed are 1 to 60")),
-            Do::Officer(on) => {
+            Order::Speed(speed) => Err(format!("speed is {speed}, allowed are 1 to 60")),
+            Order::Officer(on) => {
                 self.officer = Officer::new(now, *on);
                 let text = if *on {
                     "the scripted officer has the watch"
@@ -89,7 +89,7 @@ impl Voyage {
                 };
                 Ok(text.into())
             }
-            Do::Current { set, drift } => {
+            Order::Current { set, drift } => {
                 if !(0.0..=5.0).contains(drift) || !set.is_finite() {
                     return Err(format!("drift is {drift}, allowed are 0 to 5 kn"));
                 }
@@ -98,7 +98,7 @@ impl Voyage {
                 }
                 Ok(format!("current {drift} kn to {set:03}"))
             }
-            Do::Fault { cable, kind, on } => {
+            Order::Fault { cable, kind, on } => {
                 let sensor = matches!(kind, FaultKind::Jump | FaultKind::Stuck);
                 let profile = self.cables.profile(cable);
                 let known = match (sensor, &mut self.world, profile) {
@@ -130,14 +130,17 @@ impl Voyage {
         let (Some(autopilot), Some(chart)) = (&self.autopilot, &self.chart) else {
             return;
         };
-        let mut alerts = autopilot.alerts().views();
-        alerts.extend(chart.alerts());
-        let own = chart.own();
+        let alerts: Vec<_> = autopilot
+            .alerts()
+            .standing()
+            .iter()
+            .chain(chart.alerts())
+            .collect();
         let watch = Watch {
             mode: autopilot.mode().name(),
-            pending: autopilot.pending(),
-            situation: own.situation,
-            commanded: own.control != "off",
+            pending: autopilot.pending().is_some(),
+            situation: chart.situation(),
+            commanded: chart.control_name() != "off",
             alerts: &alerts,
         };
         match self.officer.next(now, &watch) {
@@ -157,14 +160,14 @@ impl Voyage {
 }
 
 /// Whether a human command takes the watch from the scripted officer.
-const fn takes_the_watch(action: &Do) -> bool {
+const fn takes_the_watch(action: &Order) -> bool {
     !matches!(
         action,
-        Do::Speed(_)
-            | Do::Officer(_)
-            | Do::Fault { .. }
-            | Do::Current { .. }
-            | Do::Acknowledge(_)
-            | Do::Silence(_)
+        Order::Speed(_)
+            | Order::Officer(_)
+            | Order::Fault { .. }
+            | Order::Current { .. }
+            | Order::Acknowledge(_)
+            | Order::Silence(_)
     )
 }

@@ -7,22 +7,24 @@
 
 mod cable;
 mod conduct;
-mod documents;
+mod line;
 mod officer;
 mod setup;
 
+use crate::alerts::Standing;
 use crate::autopilot::Autopilot;
 use crate::chart_system::ChartSystem;
+use crate::command::{Answer, FaultKind, Order};
 use crate::picture::Picture;
 use crate::route::Route;
 use crate::station::{Input, Output, PortIndex};
-use crate::stream::{Answer, Do, Line};
 use crate::time::Stamp;
 use crate::world::World;
 use alloc::collections::VecDeque;
 use alloc::string::String;
 use alloc::vec::Vec;
 use cable::Cables;
+pub use line::Line;
 use officer::Officer;
 use serde::{Deserialize, Serialize};
 pub use setup::{Role, VoyageConfig};
@@ -50,7 +52,7 @@ pub enum Event {
         /// Number for the answer.
         id: u64,
         /// What.
-        action: Do,
+        action: Order,
     },
     /// The caller's loop was late.
     Stalled {
@@ -256,7 +258,13 @@ impl Voyage {
                 Output::Line { port, dir, text } if from == self.shown => {
                     self.line += 1;
                     let text = text.iter().map(|byte| char::from(*byte)).collect();
-                    out.push(VoyageOutput::Line(Line(self.line, now.0, port, dir, text)));
+                    out.push(VoyageOutput::Line(Line {
+                        seq: self.line,
+                        at: now.0,
+                        port,
+                        dir,
+                        text,
+                    }));
                 }
                 Output::Line { .. } => {}
                 Output::Persist { key, value } => out.push(VoyageOutput::Persist { key, value }),
@@ -273,8 +281,67 @@ impl Voyage {
     /// Ship's time for each second of the clock on the wall: 1 while a confirmation is open.
     #[must_use]
     pub fn rate(&self) -> f64 {
-        let pending = self.autopilot.as_ref().is_some_and(Autopilot::pending);
+        let pending = self
+            .autopilot
+            .as_ref()
+            .is_some_and(|autopilot| autopilot.pending().is_some());
         if pending { 1.0 } else { self.speed }
+    }
+
+    /// The alerts of the stations that run here, highest first.
+    #[must_use]
+    pub fn alerts(&self) -> Vec<&Standing> {
+        let autopilot = self.autopilot.iter().flat_map(|a| a.alerts().standing());
+        let chart = self.chart.iter().flat_map(ChartSystem::alerts);
+        let mut alerts: Vec<_> = autopilot.chain(chart).collect();
+        alerts.sort_by_key(|standing| standing.alert.definition().priority);
+        alerts
+    }
+
+    /// Whether the scripted officer has the watch.
+    #[must_use]
+    pub const fn officer_has_the_watch(&self) -> bool {
+        self.officer.on
+    }
+
+    /// Which round of the embedded voyage is sailed, from 1.
+    #[must_use]
+    pub const fn round(&self) -> u32 {
+        self.round
+    }
+
+    /// Pace asked for; [`Self::rate`] is the one in force.
+    #[must_use]
+    pub const fn pace(&self) -> f64 {
+        self.speed
+    }
+
+    /// Faults of the cables in force: cable, kind.
+    #[must_use]
+    pub fn faults(&self) -> Vec<(String, FaultKind)> {
+        self.cables.faults()
+    }
+
+    /// The station that is shown.
+    #[must_use]
+    pub const fn shown(&self) -> Role {
+        self.shown
+    }
+
+    /// Raised whenever a setting changes.
+    #[must_use]
+    pub const fn settings_revision(&self) -> u64 {
+        self.settings_revision
+    }
+
+    /// Whether a port of the shown station is connected.
+    #[must_use]
+    pub fn port_is_up(&self, port: PortIndex) -> bool {
+        let end = (self.shown, port);
+        match self.outside.iter().position(|outside| *outside == end) {
+            Some(outside) => self.up.get(outside).copied().unwrap_or(false),
+            None => !self.cables.cut(end),
+        }
     }
 
     /// The voyage's time.

@@ -1,7 +1,8 @@
 //! The scripted officer of the embedded voyage: presses the buttons that a person would press.
 
-use crate::alerts::{Alert, State};
-use crate::stream::{AlertView, ChartRequest, Do, ModeName, ModeRequest};
+use crate::alerts::{Alert, Standing, State};
+use crate::autopilot::ModeName;
+use crate::command::{ChartRequest, ModeRequest, Order};
 use crate::time::Stamp;
 use serde::{Deserialize, Serialize};
 
@@ -21,14 +22,14 @@ pub(super) struct Watch<'a> {
     /// The chart system commands.
     pub(super) commanded: bool,
     /// All alerts.
-    pub(super) alerts: &'a [AlertView],
+    pub(super) alerts: &'a [&'a Standing],
 }
 
 /// What the officer does.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
     /// Press a button.
-    Command(Do),
+    Command(Order),
     /// Load the route again.
     NewRound,
 }
@@ -61,10 +62,10 @@ impl Officer {
             matches!(
                 alert.state,
                 State::Unacknowledged | State::RectifiedUnacknowledged
-            ) && now.since(Stamp(alert.at)) >= TAKES_ALERT_MS
+            ) && now.since(alert.at) >= TAKES_ALERT_MS
         });
         if let Some(alert) = alert {
-            return Some(Action::Command(Do::Acknowledge(alert.number)));
+            return Some(Action::Command(Order::Acknowledge(alert.alert.number())));
         }
         let seen = (watch.mode, watch.situation, watch.commanded);
         if self.seen != Some(seen) {
@@ -75,17 +76,21 @@ impl Officer {
         let failed = watch
             .alerts
             .iter()
-            .any(|alert| alert.number == Alert::TrackFail.number());
+            .any(|alert| alert.alert == Alert::TrackFail);
         let wait = if failed { LOOKS_INTO_MS } else { 3_000 };
         let action = match (watch.mode, watch.situation) {
-            (ModeName::Standby, _) if waited(4_000) => Action::Command(Do::Mode(ModeRequest::Auto)),
+            (ModeName::Standby, _) if waited(4_000) => {
+                Action::Command(Order::Mode(ModeRequest::Auto))
+            }
             (ModeName::RudderHold, _) if waited(15_000) => {
-                Action::Command(Do::Mode(ModeRequest::Auto))
+                Action::Command(Order::Mode(ModeRequest::Auto))
             }
             (ModeName::Auto, 6) if waited(20_000) => Action::NewRound,
-            (ModeName::Auto, 1) if waited(6_000) => Action::Command(Do::Chart(ChartRequest::Track)),
+            (ModeName::Auto, 1) if waited(6_000) => {
+                Action::Command(Order::Chart(ChartRequest::Track))
+            }
             (ModeName::Auto, 2 | 5) if watch.commanded && !watch.pending && waited(wait) => {
-                Action::Command(Do::Mode(ModeRequest::Autonav))
+                Action::Command(Order::Mode(ModeRequest::Autonav))
             }
             _ => return None,
         };

@@ -1,7 +1,7 @@
 //! The embedded voyage in fast time: situations, cross-track distance, faults, replay.
 
 use super::*;
-use crate::stream::ModeName;
+use crate::autopilot::ModeName;
 use alloc::format;
 use alloc::vec;
 
@@ -22,7 +22,7 @@ fn all_six_situations_follow_each_other_round_after_round() {
     let mut worst = 0.0_f64;
     let mut log = String::new();
     sail(&mut voyage, 5_400, |voyage, _| {
-        let snapshot = voyage.snapshot();
+        let snapshot = crate::view::snapshot(voyage);
         let (own, chart) = (snapshot.own.unwrap(), snapshot.chart.unwrap());
         if seen.last() != Some(&chart.situation) {
             log += &format!(

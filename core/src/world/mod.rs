@@ -14,9 +14,9 @@ pub use hull::{Drive, Hull};
 pub use noise::{Drift, Random, Waves};
 pub use sensors::Noise;
 
+use crate::command::FaultKind;
 use crate::geo::{Plane, Point, Position};
 use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile};
-use crate::stream::FaultKind;
 use crate::time::Stamp;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::string::String;

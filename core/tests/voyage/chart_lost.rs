@@ -6,8 +6,8 @@ use std::rc::Rc;
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea::{self, SteeringMode};
 use wheelover_core::station::Profile;
-use wheelover_core::stream::{ChartRequest, Do, ModeName, ModeRequest};
 use wheelover_core::time::Stamp;
+use wheelover_core::view::{ChartRequest, ModeName, ModeRequest, Order, own};
 
 /// What becomes of a sentence.
 type Damage = fn(&str) -> Option<String>;
@@ -140,7 +140,7 @@ fn silent_on_the_forwarding_distance_turns_where_the_arc_begins() {
 fn stopped_by_the_chart_system_keeps_the_latest_set_heading() {
     let mut rig = Rig::tracking();
     rig.run(40.0);
-    let hts = rig.autopilot.own(rig.now).hts;
+    let hts = rig.autopilot.hts().map(|hts| hts.deg());
     rig.ask(ChartRequest::Stop).unwrap();
     let before = rig.now;
     rig.until("TRACK FAIL", 1.3, |rig| rig.raised(Alert::TrackFail));
@@ -280,16 +280,16 @@ fn with_an_invalid_xte_track_control_is_not_entered() {
         })
     });
     rig.run(5.0);
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.run(2.0);
     rig.ask(ChartRequest::Track).unwrap();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.run(10.0);
-    let own = rig.autopilot.own(rig.now);
+    let own = own(&rig.autopilot, rig.now);
     assert_eq!(own.pending.unwrap().waits_for, "no valid XTE");
     rig.run(11.0);
     assert_eq!(rig.mode(), ModeName::Auto);
-    assert!(rig.autopilot.own(rig.now).pending.is_none());
+    assert!(rig.autopilot.pending().is_none());
 }
 
 // TCS-9

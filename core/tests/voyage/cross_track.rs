@@ -1,13 +1,13 @@
 //! Cross-track distance in 1 kn of current: within 50 m on every leg and arc, a test a direction.
 
 use crate::rig::off_path;
-use wheelover_core::stream::{Do, ModeName};
+use wheelover_core::view::{ModeName, Order};
 use wheelover_core::voyage::{Event, Voyage};
 
 fn check(set: f64) {
     let mut voyage = Voyage::embedded(11);
     let mut out = Vec::new();
-    let action = Do::Current { set, drift: 1.0 };
+    let action = Order::Current { set, drift: 1.0 };
     voyage.handle(voyage.now(), Event::Command { id: 1, action }, &mut out);
     let route = voyage.chart_system().unwrap().route().unwrap().clone();
     let mut worst = vec![[0.0_f64; 2]; route.legs().len()];
@@ -24,7 +24,7 @@ fn check(set: f64) {
         order = now;
         if autopilot.mode().name() == ModeName::AutonavTi {
             let off = off_path(&route, chart, voyage.world().unwrap().truth().position);
-            let slot = &mut worst[chart.own().leg][usize::from(chart.situation() == 4)];
+            let slot = &mut worst[chart.leg().unwrap_or(0)][usize::from(chart.situation() == 4)];
             *slot = slot.max(off);
         }
     }

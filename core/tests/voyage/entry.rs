@@ -6,12 +6,12 @@ use std::rc::Rc;
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea::SteeringMode;
 use wheelover_core::station::Profile;
-use wheelover_core::stream::{ChartRequest, Do, ModeName, ModeRequest};
+use wheelover_core::view::{ChartRequest, ModeName, ModeRequest, Order};
 
 fn in_auto() -> Rig {
     let mut rig = Rig::new(route(&[(245.0, 2.5), (305.0, 2.5)], 0.5), 5);
     rig.run(5.0);
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.run(5.0);
     rig
 }
@@ -20,10 +20,10 @@ fn in_auto() -> Rig {
 #[test]
 fn the_operator_may_ask_before_the_chart_system() {
     let mut rig = in_auto();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.run(10.0);
     assert_eq!(rig.mode(), ModeName::Auto);
-    assert!(rig.autopilot.pending());
+    assert!(rig.autopilot.pending().is_some());
     rig.ask(ChartRequest::Track).unwrap();
     rig.until("track control", 5.0, |rig| {
         rig.mode() == ModeName::AutonavTi
@@ -38,7 +38,7 @@ fn the_chart_system_may_ask_before_the_operator() {
     rig.ask(ChartRequest::Track).unwrap();
     rig.run(10.0);
     assert_eq!(rig.mode(), ModeName::Auto);
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.until("track control", 1.0, |rig| {
         rig.mode() == ModeName::AutonavTi
     });
@@ -49,8 +49,8 @@ fn the_chart_system_may_ask_before_the_operator() {
 fn a_selection_without_confirmation_lapses_after_twenty_seconds() {
     let mut rig = in_auto();
     let asked = rig.now;
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
-    rig.until("the lapse", 21.0, |rig| !rig.autopilot.pending());
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
+    rig.until("the lapse", 21.0, |rig| rig.autopilot.pending().is_none());
     let waited = rig.now.since(asked);
     assert!((19_900..=20_100).contains(&waited), "{waited}");
     rig.ask(ChartRequest::Track).unwrap();
@@ -62,7 +62,7 @@ fn a_selection_without_confirmation_lapses_after_twenty_seconds() {
 #[test]
 fn the_first_engagement_needs_three_commands_in_a_row() {
     let mut rig = in_auto();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     let passed = Rc::new(Cell::new(0));
     let count = passed.clone();
     rig.filter(move |_, _, line| {
@@ -82,7 +82,7 @@ fn the_first_engagement_needs_three_commands_in_a_row() {
 #[test]
 fn a_refused_command_breaks_the_row() {
     let mut rig = in_auto();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     let mut count = 0;
     rig.filter(move |_, _, line| {
         if !line.contains("HTC,V,,,T") {
@@ -105,15 +105,15 @@ fn a_refused_command_breaks_the_row() {
 fn autonav_is_entered_from_auto_only_and_never_in_a_turn() {
     let mut rig = Rig::new(route(&[(245.0, 2.5), (305.0, 2.5)], 0.5), 5);
     rig.run(3.0);
-    let refusal = rig.command(Do::Mode(ModeRequest::Autonav)).unwrap_err();
+    let refusal = rig.command(Order::Mode(ModeRequest::Autonav)).unwrap_err();
     assert_eq!(refusal, "AutoNAV is selected from AUTO only");
 
     let mut rig = Rig::tracking();
     rig.until("the arc", 900.0, |rig| rig.chart.situation() == 4);
     rig.run(5.0);
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.run(1.0);
-    let refusal = rig.command(Do::Mode(ModeRequest::Autonav)).unwrap_err();
+    let refusal = rig.command(Order::Mode(ModeRequest::Autonav)).unwrap_err();
     assert!(refusal.contains("not in the middle of a turn"), "{refusal}");
     rig.check_orders();
 }
@@ -137,12 +137,12 @@ fn override_ends_in_standby_at_once_and_does_not_resume() {
     let htd = rig.last_htd();
     assert_eq!(htd.steering_mode, Some(SteeringMode::Manual));
     assert_eq!((htd.rudder_angle, htd.heading_to_steer), (None, None));
-    let refusal = rig.command(Do::Mode(ModeRequest::Auto)).unwrap_err();
+    let refusal = rig.command(Order::Mode(ModeRequest::Auto)).unwrap_err();
     assert_eq!(refusal, "override is in use");
     rig.filter(|_, _, line| Some(line.to_string()));
     rig.run(15.0);
     assert_eq!(rig.mode(), ModeName::Standby);
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.run(5.0);
     rig.check_orders();
 }
@@ -151,7 +151,7 @@ fn override_ends_in_standby_at_once_and_does_not_resume() {
 fn never_acted_on(status: &'static str, accept_null: bool) {
     let key = "accept_null_status".to_string();
     let value = f64::from(u8::from(accept_null));
-    let setting = Do::Setting { key, value };
+    let setting = Order::Setting { key, value };
     let with_status = move |line: &str| {
         Some(if line.contains("HTC,") {
             edited(line, &[(14, status)])
@@ -163,7 +163,7 @@ fn never_acted_on(status: &'static str, accept_null: bool) {
     rig.command(setting.clone()).unwrap();
     rig.filter(move |_, _, line| with_status(line));
     rig.ask(ChartRequest::Track).unwrap();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.run(12.0);
     assert_eq!(rig.mode(), ModeName::Auto, "{status:?}");
 
@@ -197,7 +197,7 @@ fn a_null_status_is_a_command_only_where_it_is_accepted() {
         })
     });
     rig.ask(ChartRequest::Track).unwrap();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.until("track control", 6.0, |rig| {
         rig.mode() == ModeName::AutonavTi
     });
@@ -213,7 +213,7 @@ fn without_position_track_control_is_refused_with_the_reason() {
         (!position).then(|| line.to_string())
     });
     rig.run(6.0);
-    let text = rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    let text = rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     assert_eq!(text, "no position");
     rig.run(5.0);
     assert_eq!(rig.mode(), ModeName::Auto);

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea;
 use wheelover_core::station::{Input, Profile};
-use wheelover_core::stream::{ChartRequest, Do, FaultKind, ModeName, ModeRequest};
+use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order};
 
 /// SplitMix64.
 struct Random(u64);
@@ -105,12 +105,12 @@ fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
         }
         13 => {
             drop(damage);
-            let _ = rig.command(Do::Mode(ModeRequest::Standby));
+            let _ = rig.command(Order::Mode(ModeRequest::Standby));
             return true;
         }
         14 => {
             drop(damage);
-            let _ = rig.command(Do::AdjustHeading(random.below(60) as f64 - 30.0));
+            let _ = rig.command(Order::AdjustHeading(random.below(60) as f64 - 30.0));
         }
         _ => {
             // All is healed, and the officer brings the ship back under track control.
@@ -118,9 +118,9 @@ fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
             drop(damage);
             rig.world.injure(Profile::Gyro1, FaultKind::Jump, false);
             rig.world.injure(Profile::Gps, FaultKind::Jump, false);
-            let _ = rig.command(Do::Mode(ModeRequest::Auto));
+            let _ = rig.command(Order::Mode(ModeRequest::Auto));
             let _ = rig.ask(ChartRequest::Track);
-            let _ = rig.command(Do::Mode(ModeRequest::Autonav));
+            let _ = rig.command(Order::Mode(ModeRequest::Autonav));
             return true;
         }
     }
@@ -134,10 +134,10 @@ fn script(seed: u64) {
     let on_cable = damage.clone();
     rig.filter(move |_, from, line| damaged(&on_cable.borrow(), from, line));
     rig.run(4.0);
-    let _ = rig.command(Do::Mode(ModeRequest::Auto));
+    let _ = rig.command(Order::Mode(ModeRequest::Auto));
     rig.run(4.0);
     let _ = rig.ask(ChartRequest::Track);
-    let _ = rig.command(Do::Mode(ModeRequest::Autonav));
+    let _ = rig.command(Order::Mode(ModeRequest::Autonav));
     let mut next = rig.now + 5_000 + random.below(60_000);
     for _ in 0..2_400 {
         let before = rig.mode();

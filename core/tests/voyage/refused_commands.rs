@@ -2,7 +2,7 @@
 
 use crate::rig::{Rig, edited, with_checksum};
 use wheelover_core::station::Profile;
-use wheelover_core::stream::{Do, ModeName, ModeRequest};
+use wheelover_core::view::{ModeName, ModeRequest, Order};
 
 /// As printed; 12 and 13 fields where the documents lost commas.
 pub(crate) const PRINTED: [&str; 7] = [
@@ -18,7 +18,7 @@ pub(crate) const PRINTED: [&str; 7] = [
 /// The autopilot in AUTO with AutoNAV asked for, the chart system's own HTC taken away.
 fn waiting() -> Rig {
     let mut rig = Rig::tracking();
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.filter(|_, _, line| (!line.contains("EIHTC,V,,,T,R,,,,,,,245.0")).then(|| line.into()));
     rig.run(60.0);
     rig
@@ -26,7 +26,7 @@ fn waiting() -> Rig {
 
 fn refused(lines: &[String]) {
     let mut rig = waiting();
-    rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     let set = rig.set_heading();
     for round in 0..15 {
         for line in lines {

@@ -10,9 +10,9 @@ use wheelover_core::nmea::{self, Htd};
 use wheelover_core::route::{Route, RouteLimits, Waypoint};
 use wheelover_core::settings::Settings;
 use wheelover_core::station::{ChecksumPolicy, Input, Output, PortSetup, Profile};
-use wheelover_core::stream::{ChartRequest, Do, ModeName, ModeRequest};
 use wheelover_core::time::Stamp;
 use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
+use wheelover_core::view::{ChartRequest, ModeName, ModeRequest, Order};
 use wheelover_core::world::{World, WorldConfig};
 
 /// The gear's slew in these tests, degrees a second (the Mariner's).
@@ -125,10 +125,10 @@ impl Rig {
     pub(crate) fn tracking_on(route: Route) -> Self {
         let mut rig = Self::new(route, 3);
         rig.run(5.0);
-        rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+        rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
         rig.run(5.0);
         rig.ask(ChartRequest::Track).unwrap();
-        rig.command(Do::Mode(ModeRequest::Autonav)).unwrap();
+        rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
         rig.until("track control", 20.0, |rig| {
             rig.mode() == ModeName::AutonavTi
         });
@@ -151,7 +151,7 @@ impl Rig {
         });
     }
 
-    pub(crate) fn command(&mut self, action: Do) -> Result<String, String> {
+    pub(crate) fn command(&mut self, action: Order) -> Result<String, String> {
         self.autopilot
             .command(self.now, &action)
             .map_err(|refusal| refusal.0)
@@ -191,7 +191,7 @@ impl Rig {
                 "{name} not within {seconds} s: {:?} situation {} {:?}",
                 self.autopilot.mode(),
                 self.chart.situation(),
-                self.autopilot.alerts().views()
+                self.autopilot.alerts().standing()
             );
             self.step();
         }
@@ -329,9 +329,9 @@ impl Rig {
 
     /// Text of a raised alert, empty where it is not raised.
     pub(crate) fn text(&self, alert: Alert) -> String {
-        let views = self.autopilot.alerts().views();
-        let view = views.iter().find(|view| view.number == alert.number());
-        view.map_or(String::new(), |view| view.text.clone())
+        let standing = self.autopilot.alerts().standing();
+        let found = standing.iter().find(|standing| standing.alert == alert);
+        found.map_or(String::new(), |standing| standing.text().to_string())
     }
 
     pub(crate) fn last_htd(&self) -> &Htd {
@@ -362,10 +362,10 @@ impl Rig {
 
 /// Distance of the leg or arc that belongs to the chart system's situation, metres, without sign.
 pub(crate) fn off_path(route: &Route, chart: &ChartSystem, position: Position) -> f64 {
-    let own = chart.own();
+    let index = chart.leg().unwrap_or(0);
     let on_arc = chart.situation() == 4;
-    let leg = route.leg(own.leg);
-    match route.turn_after(own.leg) {
+    let leg = route.leg(index);
+    match route.turn_after(index) {
         Some(turn) if on_arc => turn.cross_track(position).m().abs(),
         _ => leg.cross_track(position).m().abs(),
     }

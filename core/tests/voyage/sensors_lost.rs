@@ -5,8 +5,8 @@ use wheelover_core::alerts::Alert;
 use wheelover_core::geo::{Position, rhumb};
 use wheelover_core::nmea::{self, Gll, SteeringMode};
 use wheelover_core::station::{Input, Profile};
-use wheelover_core::stream::{Do, FaultKind, ModeName, ModeRequest};
 use wheelover_core::units::{Course, Distance};
+use wheelover_core::view::{FaultKind, ModeName, ModeRequest, Order};
 
 // FA7
 #[test]
@@ -14,7 +14,7 @@ fn a_lost_heading_freezes_the_order_until_the_operator_ends_it() {
     for autonav in [true, false] {
         let mut rig = Rig::tracking();
         if !autonav {
-            rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+            rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
         }
         rig.run(10.0);
         let lost = rig.now;
@@ -39,7 +39,7 @@ fn a_lost_heading_freezes_the_order_until_the_operator_ends_it() {
         rig.filter(|_, _, line| Some(line.to_string()));
         rig.run(20.0);
         assert_eq!(rig.mode(), ModeName::RudderHold);
-        rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+        rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
         rig.run(30.0);
         rig.check_orders();
     }
@@ -103,7 +103,7 @@ fn a_position_jump_ends_track_control_without_a_turn_towards_it() {
     twin.run(120.0);
     let failed = rig.now;
     twin.until("the same moment", 5.0, |twin| twin.now >= failed);
-    twin.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    twin.command(Order::Mode(ModeRequest::Auto)).unwrap();
     for _ in 0..300 {
         rig.step();
         twin.step();
@@ -146,7 +146,7 @@ fn one_wrong_position_is_left_out_and_three_end_track_control() {
 #[test]
 fn a_lost_speed_is_a_caution_and_steering_goes_on() {
     let mut rig = Rig::tracking();
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.run(5.0);
     rig.filter(|_, _, line| {
         let speed = line.contains("VTG,") || line.contains("VHW,");
@@ -164,21 +164,21 @@ fn a_lost_speed_is_a_caution_and_steering_goes_on() {
 fn no_change_of_mode_steps_the_order() {
     let mut rig = Rig::tracking();
     let go = |rig: &mut Rig, request| {
-        rig.command(Do::Mode(request)).unwrap();
+        rig.command(Order::Mode(request)).unwrap();
         rig.run(7.0);
     };
     rig.run(20.0);
     go(&mut rig, ModeRequest::Auto);
-    rig.command(Do::AdjustHeading(10.0)).unwrap();
+    rig.command(Order::AdjustHeading(10.0)).unwrap();
     rig.run(4.0);
-    rig.command(Do::AdjustHeading(-20.0)).unwrap();
+    rig.command(Order::AdjustHeading(-20.0)).unwrap();
     rig.run(3.0);
     go(&mut rig, ModeRequest::Autonav);
     assert_eq!(rig.mode(), ModeName::AutonavTi);
     go(&mut rig, ModeRequest::Auto);
     go(&mut rig, ModeRequest::Standby);
     let rudder = rig.world.truth().rudder.deg();
-    rig.command(Do::Mode(ModeRequest::Auto)).unwrap();
+    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.step();
     let first = rig.autopilot.rudder_order().unwrap().deg();
     assert!((first - rudder).abs() < 1.0, "{rudder} -> {first}");

@@ -3,7 +3,7 @@
 use crate::rig::Rig;
 use wheelover_core::geo::{Position, rhumb};
 use wheelover_core::nmea::{self, Htc, Pney1, Pney2, SteeringMode, TurnMode, Xte};
-use wheelover_core::stream::{ChartRequest, ModeName};
+use wheelover_core::view::{ChartRequest, ModeName};
 
 struct Row {
     htc: Htc,

@@ -92,7 +92,7 @@ fn route(config: &Config, out: &mut String) -> std::fmt::Result {
             "\n# [route]: none; a chart-system side here sails the embedded one"
         );
     };
-    let document = route.document(0);
+    let document = wheelover_core::view::drawn_route(route, 0);
     writeln!(out, "\n[route]\nname = {}", quoted(&document.name))?;
     for waypoint in &document.waypoints {
         writeln!(out, "\n[[route.waypoint]]\nid = {}", quoted(&waypoint.id))?;

@@ -44,7 +44,7 @@ impl Config {
         let ship = &self.ship;
         let (mut start, mut heading) = embedded_start();
         if let Some(route) = &self.route {
-            let document = route.document(0);
+            let document = wheelover_core::view::drawn_route(route, 0);
             if let [first, second, ..] = document.waypoints.as_slice() {
                 start = first.position;
                 heading = Heading::from_deg(second.course.unwrap_or_default());

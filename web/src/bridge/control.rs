@@ -4,7 +4,7 @@ use crate::deck::Deck;
 use crate::link::wall;
 use crate::{format, top};
 use leptos::prelude::*;
-use wheelover_core::stream::{Do, ModeName, ModeRequest, Own};
+use wheelover_core::view::{ModeName, ModeRequest, Order, Own};
 
 /// A press waits so long for its confirmation, milliseconds on the wall.
 const CONFIRM: f64 = 8_000.0;
@@ -18,11 +18,11 @@ enum Armed {
 }
 
 impl Armed {
-    fn action(&self) -> Do {
+    fn action(&self) -> Order {
         match self {
-            Self::Auto => Do::Mode(ModeRequest::Auto),
-            Self::Autonav => Do::Mode(ModeRequest::Autonav),
-            Self::Turn(degrees) => Do::AdjustHeading(*degrees),
+            Self::Auto => Order::Mode(ModeRequest::Auto),
+            Self::Autonav => Order::Mode(ModeRequest::Autonav),
+            Self::Turn(degrees) => Order::AdjustHeading(*degrees),
         }
     }
 
@@ -113,7 +113,7 @@ pub(super) fn Control() -> impl IntoView {
                 disabled=move || !may.get()
                 on:click=move |_| {
                     armed.set(None);
-                    deck.command("standby", Do::Mode(ModeRequest::Standby));
+                    deck.command("standby", Order::Mode(ModeRequest::Standby));
                 }
             >
                 "STANDBY"
@@ -160,7 +160,7 @@ pub(super) fn Control() -> impl IntoView {
                     if armed.get_untracked().is_some() {
                         armed.set(None);
                     } else {
-                        deck.command("cancel", Do::Mode(ModeRequest::Cancel));
+                        deck.command("cancel", Order::Mode(ModeRequest::Cancel));
                     }
                 }
             >

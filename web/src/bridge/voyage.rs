@@ -2,7 +2,7 @@
 
 use crate::deck::Deck;
 use leptos::prelude::*;
-use wheelover_core::stream::{ChartRequest, Do, FaultKind, VoyageOwn};
+use wheelover_core::view::{ChartRequest, FaultKind, Order, VoyageOwn};
 
 const PACES: [u8; 5] = [1, 5, 10, 30, 60];
 
@@ -69,7 +69,7 @@ fn Bar() -> impl IntoView {
                 type="button"
                 data-command=name
                 aria-pressed=on
-                on:click=move |_| deck.command(&asked, Do::Speed(f64::from(pace)))
+                on:click=move |_| deck.command(&asked, Order::Speed(f64::from(pace)))
             >
                 {format!("{pace}x")}
             </button>
@@ -84,7 +84,7 @@ fn Bar() -> impl IntoView {
                     aria-pressed=move || {
                         if control.with(|c| c.as_deref() == Some(key)) { "true" } else { "false" }
                     }
-                    on:click=move |_| deck.command(name, Do::Chart(request))
+                    on:click=move |_| deck.command(name, Order::Chart(request))
                 >
                     {text}
                 </button>
@@ -101,7 +101,7 @@ fn Bar() -> impl IntoView {
                     aria-pressed=move || if on.get() { "true" } else { "false" }
                     on:click=move |_| {
                         let on = !on.get_untracked();
-                        deck.command(name, Do::Fault { cable: cable.to_owned(), kind, on });
+                        deck.command(name, Order::Fault { cable: cable.to_owned(), kind, on });
                     }
                 >
                     {text}
@@ -116,7 +116,7 @@ fn Bar() -> impl IntoView {
                 type="button"
                 data-command="officer"
                 aria-pressed=move || if officer.get() { "true" } else { "false" }
-                on:click=move |_| deck.command("officer", Do::Officer(!officer.get_untracked()))
+                on:click=move |_| deck.command("officer", Order::Officer(!officer.get_untracked()))
             >
                 "OFFICER"
             </button>
@@ -133,7 +133,7 @@ fn Bar() -> impl IntoView {
                     aria-pressed=move || if current.get() { "true" } else { "false" }
                     on:click=move |_| {
                         let drift = if current.get_untracked() { 0.0 } else { CURRENT.1 };
-                        deck.command("current", Do::Current { set: CURRENT.0, drift });
+                        deck.command("current", Order::Current { set: CURRENT.0, drift });
                     }
                 >
                     "CURRENT"

@@ -6,7 +6,7 @@ use crate::drawing::Drawing;
 use crate::format;
 use crate::reading::Readings;
 use wheelover_core::geo::{Point, Position};
-use wheelover_core::stream::{ChartOwn, Outline, RouteDocument};
+use wheelover_core::view::{ChartOwn, Outline, RouteDocument};
 
 /// Everything that the plan shows, at one moment.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,7 @@ mod tests {
     use super::*;
     use crate::reading::Reading;
     use wheelover_core::limits::Freshness;
-    use wheelover_core::stream::{TurnView, WaypointView};
+    use wheelover_core::view::{TurnView, WaypointView};
 
     fn place(lat: f64, lon: f64) -> Position {
         Position { lat, lon }

@@ -1,8 +1,8 @@
 //! The route and the turn as lines of the plane: legs, arcs, corridor, wheel-over line, forwarding distance.
 
 use wheelover_core::geo::{Plane, Point};
-use wheelover_core::stream::{RouteDocument, TurnView};
 use wheelover_core::units::wrap_360;
+use wheelover_core::view::{RouteDocument, TurnView};
 
 /// A turn in the plane.
 #[derive(Clone, Debug, PartialEq)]

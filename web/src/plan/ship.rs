@@ -5,7 +5,7 @@ use super::scene::{Scene, vector_minutes};
 use super::shapes::predicted;
 use crate::drawing::Drawing;
 use wheelover_core::geo::Point;
-use wheelover_core::stream::Outline;
+use wheelover_core::view::Outline;
 
 /// Below this length on the screen the ship is a symbol.
 const SMALL: f64 = 24.0;

@@ -14,7 +14,9 @@ fn a_course_change_is_indicated_three_minutes_and_half_a_minute_before_and_alarm
             wheel_over.get_or_insert(bench.now);
         }
         for view in bench.chart.alerts() {
-            first.entry(view.title).or_insert(bench.now);
+            first
+                .entry(view.alert.definition().title)
+                .or_insert(bench.now);
         }
         if bench.chart.situation() == 5 {
             break;
@@ -31,7 +33,12 @@ fn a_course_change_is_indicated_three_minutes_and_half_a_minute_before_and_alarm
 #[test]
 fn a_confirmed_course_change_gives_no_alarm_and_the_ship_turns_all_the_same() {
     let mut bench = Bench::tracking();
-    while !bench.chart.alerts().iter().any(|view| view.number == 202) {
+    while !bench
+        .chart
+        .alerts()
+        .iter()
+        .any(|view| view.alert.number() == 202)
+    {
         bench.second();
     }
     assert!(bench.chart.acknowledge(Stamp(bench.now), 202));
@@ -56,7 +63,9 @@ fn the_last_waypoint_and_the_corridor_have_alerts() {
     }
     let alerts = bench.chart.alerts();
     assert!(
-        alerts.iter().any(|view| view.title == "CROSS TRACK"),
+        alerts
+            .iter()
+            .any(|view| view.alert.definition().title == "CROSS TRACK"),
         "{alerts:?}"
     );
     let mut bench = Bench::tracking();
@@ -67,7 +76,7 @@ fn the_last_waypoint_and_the_corridor_have_alerts() {
             .chart
             .alerts()
             .iter()
-            .any(|view| view.title == "LAST WAYPOINT")
+            .any(|view| view.alert.definition().title == "LAST WAYPOINT")
         {
             warned.get_or_insert(bench.now);
         }

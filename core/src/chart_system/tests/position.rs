@@ -28,7 +28,10 @@ fn a_position_that_is_not_valid_ends_track_control_at_once() {
         bench.request(ChartRequest::Track).unwrap_err(),
         "no position"
     );
-    assert_eq!(bench.chart.alerts()[0].title, "NO POSITION");
+    assert_eq!(
+        bench.chart.alerts()[0].alert.definition().title,
+        "NO POSITION"
+    );
     bench.gps_mode = ModeIndicator::Autonomous;
     bench.second();
     let said = bench.second();
@@ -56,7 +59,7 @@ fn a_silent_receiver_is_bridged_by_dead_reckoning_for_five_seconds_at_most() {
     let said = bench.second();
     assert_eq!(said.gll.status, Some(DataStatus::Invalid));
     assert_eq!(said.htc.steering_mode, Some(SteeringMode::StandAlone));
-    assert_eq!(bench.chart.own().why, "control ended: no position");
+    assert_eq!(bench.chart.reason(), "control ended: no position");
 }
 
 // FA9
@@ -75,7 +78,7 @@ fn a_position_jump_is_not_followed() {
         bench.second();
     }
     assert_eq!(
-        bench.chart.own().why,
+        bench.chart.reason(),
         "control ended: the position has jumped"
     );
 }
@@ -106,7 +109,7 @@ fn what_track_control_needs_is_named_when_it_is_missing() {
         "too close to the wheel-over line"
     );
     assert_eq!(
-        bench.chart.own().why,
+        bench.chart.reason(),
         "refused: too close to the wheel-over line"
     );
 }

@@ -50,7 +50,7 @@ fn situation_2_active_on_the_first_leg() {
     assert_eq!(said.pney1.cross_track, said.xte.cross_track);
     assert_eq!((said.pney2.centre, Bench::waypoint(&said)), (None, "001"));
     assert_eq!(
-        bench.chart.own().why,
+        bench.chart.reason(),
         "the autopilot follows in track control"
     );
 }
@@ -124,7 +124,7 @@ fn situation_6_at_the_end_of_the_route_until_it_is_loaded_again() {
     assert_eq!((said.xte.cross_track, said.pney1.cross_track), (None, None));
     assert_eq!(said.xte.status, Some(DataStatus::Valid));
     assert_eq!(said.pney2, Pney2::default());
-    assert_eq!(bench.chart.own().why, "control ended: end of route");
+    assert_eq!(bench.chart.reason(), "control ended: end of route");
     assert_eq!(
         bench.request(ChartRequest::Track).unwrap_err(),
         "the last waypoint is passed"

@@ -7,9 +7,7 @@ fn the_forwarding_distance_is_a_time_of_way() {
     let mut bench = Bench::new();
     bench.second();
     bench.second();
-    let document = bench.chart.document();
-    near(document.turns[0].forwarding_m, 28.0 * STEP_M, 1.0);
-    assert_eq!(document.revision, bench.chart.revision());
+    near(bench.chart.forwarding().m(), 28.0 * STEP_M, 1.0);
 }
 
 #[test]

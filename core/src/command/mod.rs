@@ -1,43 +1,12 @@
-//! What comes up from the browser.
+//! What can be asked of the stations, and the answer: orders, refusals, answers.
 
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
 
-/// A frame from the browser.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "snake_case")]
-pub enum Up {
-    /// A snapshot was taken; opens the window of three.
-    Ack {
-        /// Its number.
-        frame: u64,
-    },
-    /// Send the lines from this number on.
-    Resume {
-        /// Number of the first line wanted.
-        seq: u64,
-    },
-    /// What the client wants.
-    Subscribe {
-        /// Snapshots a second, 0 to 10.
-        rate: f64,
-        /// Whether lines are wanted.
-        lines: bool,
-    },
-    /// Do something.
-    Command {
-        /// Chosen by the client; comes back in the answer.
-        id: u64,
-        /// What.
-        #[serde(rename = "do")]
-        action: Do,
-    },
-}
-
-/// What can be commanded.
+/// What is asked: of the autopilot, of our chart-system side, of the embedded voyage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Do {
+pub enum Order {
     /// Select a mode of the autopilot.
     Mode(ModeRequest),
     /// Set the heading of AUTO, degrees.
@@ -123,4 +92,25 @@ pub enum FaultKind {
     Jump,
     /// The value stays as it is.
     Stuck,
+}
+
+/// A command that was not done, with the reason an officer would give.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Refusal(pub String);
+
+impl core::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// What became of an order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Answer {
+    /// The order's number.
+    pub id: u64,
+    /// Whether it was done.
+    pub ok: bool,
+    /// What followed, or the reason for refusal.
+    pub text: String,
 }

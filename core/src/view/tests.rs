@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::picture::Picture;
-use crate::station::{ChecksumPolicy, Profile};
+use crate::station::{ChecksumPolicy, Direction, Profile};
 use alloc::format;
 use alloc::string::ToString;
 use alloc::vec;
@@ -115,7 +115,13 @@ fn messages() -> Vec<String> {
         }),
         Down::Lines(Lines {
             from: 8,
-            lines: vec![Line(8, 1_900, 0, Direction::In, "$EIHTC,V\u{e4}".into())],
+            lines: vec![Line {
+                seq: 8,
+                at: 1_900,
+                port: 0,
+                dir: Direction::In,
+                text: "$EIHTC,V\u{e4}".into(),
+            }],
         }),
         Down::Gap { lost: 12 },
         Down::Answer(Answer {
@@ -132,24 +138,24 @@ fn messages() -> Vec<String> {
             rate: 10.0,
             lines: true,
         },
-        command(Do::Mode(ModeRequest::Standby)),
-        command(Do::SetHeading(245.0)),
-        command(Do::AdjustHeading(10.0)),
-        command(Do::Acknowledge(101)),
-        command(Do::Silence(true)),
-        command(Do::Speed(10.0)),
-        command(Do::Officer(false)),
-        command(Do::Fault {
+        command(Order::Mode(ModeRequest::Standby)),
+        command(Order::SetHeading(245.0)),
+        command(Order::AdjustHeading(10.0)),
+        command(Order::Acknowledge(101)),
+        command(Order::Silence(true)),
+        command(Order::Speed(10.0)),
+        command(Order::Officer(false)),
+        command(Order::Fault {
             cable: "ecdis".into(),
             kind: FaultKind::Silent,
             on: true,
         }),
-        command(Do::Current {
+        command(Order::Current {
             set: 100.0,
             drift: 1.0,
         }),
-        command(Do::Chart(ChartRequest::Track)),
-        command(Do::Setting {
+        command(Order::Chart(ChartRequest::Track)),
+        command(Order::Setting {
             key: "rudder_limit".into(),
             value: 15.0,
         }),
@@ -193,6 +199,13 @@ fn every_message_comes_back_as_it_was() {
         let message: Up = serde_json::from_str(text).unwrap();
         assert_eq!(&serde_json::to_string(&message).unwrap(), text);
     }
+}
+
+#[test]
+fn a_route_is_drawn_with_all_its_turns() {
+    let document = drawn_route(&crate::route::embedded(), 3);
+    let drawn = (document.waypoints.len(), document.turns.len());
+    assert_eq!((drawn, document.revision), ((8, 6), 3));
 }
 
 #[test]

@@ -1,14 +1,21 @@
 //! What crosses between server and browser: JSON text frames tagged by `type`.
 
-mod command;
+mod own;
+mod route;
+mod voyage;
 
+pub use crate::autopilot::ModeName;
+pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order};
 use crate::geo::Position;
 use crate::picture::Picture;
-use crate::station::{Direction, PortSetup};
+use crate::station::PortSetup;
+pub use crate::voyage::Line;
 use alloc::string::String;
 use alloc::vec::Vec;
-pub use command::{ChartRequest, Do, FaultKind, ModeRequest, Up};
+pub use own::own;
+pub use route::drawn_route;
 use serde::{Deserialize, Serialize};
+pub use voyage::{hello, ports_document, route_document, settings_document, snapshot};
 
 /// Raised whenever the text of any message changes.
 pub const PROTOCOL: u32 = 2;
@@ -40,6 +47,37 @@ pub enum Down {
     },
     /// What became of a command.
     Answer(Answer),
+}
+
+/// A frame from the browser.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Up {
+    /// A snapshot was taken; opens the window of three.
+    Ack {
+        /// Its number.
+        frame: u64,
+    },
+    /// Send the lines from this number on.
+    Resume {
+        /// Number of the first line wanted.
+        seq: u64,
+    },
+    /// What the client wants.
+    Subscribe {
+        /// Snapshots a second, 0 to 10.
+        rate: f64,
+        /// Whether lines are wanted.
+        lines: bool,
+    },
+    /// Do something.
+    Command {
+        /// Chosen by the client; comes back in the answer.
+        id: u64,
+        /// What.
+        #[serde(rename = "do")]
+        action: Order,
+    },
 }
 
 /// First frame of a connection: what the page needs to fold the lines itself.
@@ -111,26 +149,6 @@ pub struct Snapshot {
     pub voyage: Option<VoyageOwn>,
     /// Alerts that are not normal, highest first.
     pub alerts: Vec<AlertView>,
-}
-
-/// The autopilot's mode as it is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ModeName {
-    /// The autopilot gives no orders.
-    Standby,
-    /// The hardware override is in use.
-    NfuOverride,
-    /// Heading control.
-    Auto,
-    /// Remote heading control by a chart system.
-    AutonavTn,
-    /// Track control by a chart system.
-    AutonavTi,
-    /// Following APB.
-    Track,
-    /// Rudder frozen after a critical failure.
-    RudderHold,
 }
 
 /// The autopilot's own facts.
@@ -237,10 +255,6 @@ pub struct Lines {
     pub lines: Vec<Line>,
 }
 
-/// One line: number, time in milliseconds, port, direction, text as Latin-1.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Line(pub u64, pub u64, pub usize, pub Direction, pub String);
-
 /// The route with its geometry.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RouteDocument {
@@ -323,17 +337,6 @@ pub struct PortView {
     pub bad_checksum: u64,
     /// Bytes outside sentences.
     pub garbage: u64,
-}
-
-/// What became of a command.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
-    /// The command's number.
-    pub id: u64,
-    /// Whether it was done.
-    pub ok: bool,
-    /// What followed, or the reason for refusal.
-    pub text: String,
 }
 
 #[cfg(test)]

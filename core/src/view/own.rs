@@ -1,0 +1,93 @@
+//! The stations' own facts, for the page.
+
+use super::{AlertView, ChartOwn, Own, Pending};
+use crate::alerts::Standing;
+use crate::autopilot::{Autopilot, Mode, ModeName};
+use crate::chart_system::ChartSystem;
+use crate::station::Profile;
+use crate::time::Stamp;
+use crate::units::{Distance, Heading, RudderAngle};
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+/// What only the autopilot knows.
+#[must_use]
+pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
+    let steered = autopilot.steered();
+    let settings = autopilot.settings();
+    Own {
+        mode: autopilot.mode().name(),
+        why: autopilot.why().to_string(),
+        pending: autopilot.pending().map(|until| Pending {
+            request: ModeName::AutonavTi,
+            until: until.0,
+            waits_for: autopilot.waits_for(now),
+        }),
+        set_heading: match autopilot.mode() {
+            Mode::Auto { set, .. } => Some(set.deg()),
+            _ => None,
+        },
+        hts: autopilot.hts().map(Heading::deg),
+        set_rate: settings.set_rate,
+        set_radius: settings.set_radius,
+        by_radius: settings.set_by_radius >= 0.5,
+        rudder_limit: if autopilot.mode().is_autonav() {
+            settings.rudder_max
+        } else {
+            settings.rudder_limit
+        },
+        rudder_order: autopilot.rudder_order().map(RudderAngle::deg),
+        cross_track: steered
+            .and_then(|steered| steered.cross_track)
+            .map(Distance::m),
+        sources: sources(autopilot, now),
+        terms: steered.map_or([0.0; 4], |steered| steered.terms),
+        limited: steered.is_some_and(|steered| steered.limited),
+        output: autopilot
+            .picture()
+            .ports
+            .iter()
+            .any(|port| port.profile == Profile::Gear && port.output),
+    }
+}
+
+fn sources(autopilot: &Autopilot, now: Stamp) -> Vec<(String, String)> {
+    let picture = autopilot.picture();
+    let list = [
+        ("heading", picture.heading(now).map(|heard| &heard.source)),
+        ("rate", picture.rate(now).map(|heard| &heard.source)),
+        ("position", picture.fix(now).map(|heard| &heard.source)),
+        ("ground", picture.ground(now).map(|heard| &heard.source)),
+        ("water", picture.water_speed(now).map(|heard| &heard.source)),
+    ];
+    list.into_iter()
+        .filter_map(|(name, source)| Some((name.to_string(), picture.source_name(source?))))
+        .collect()
+}
+
+/// What only our chart-system side knows.
+#[must_use]
+pub(super) fn chart_own(chart: &ChartSystem) -> ChartOwn {
+    ChartOwn {
+        situation: chart.situation(),
+        control: chart.control_name().into(),
+        leg: chart.leg().unwrap_or(0),
+        wheel_over_s: chart.wheel_over_s(chart.now()),
+        why: chart.reason(),
+    }
+}
+
+/// An alert as it is shown.
+#[must_use]
+pub(super) fn alert(standing: &Standing) -> AlertView {
+    let definition = standing.alert.definition();
+    AlertView {
+        number: standing.alert.number(),
+        priority: definition.priority,
+        state: standing.state,
+        category: definition.category,
+        title: definition.title.to_string(),
+        text: standing.text().to_string(),
+        at: standing.at.0,
+    }
+}
