@@ -1,7 +1,7 @@
 //! Running other programs: a step with a name and a time, or a failure that says which step.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -19,7 +19,7 @@ impl Failure {
     }
 
     /// An I/O error and the file that it is about.
-    pub fn file(path: &std::path::Path, error: &std::io::Error) -> Self {
+    pub fn file(path: &Path, error: &std::io::Error) -> Self {
         Self(format!("{}: {error}", path.display()))
     }
 }
@@ -75,11 +75,7 @@ pub fn run(command: &mut Command) -> Outcome {
 
 /// The standard output of `command`, if it succeeds.
 pub fn output(command: &mut Command) -> Option<String> {
-    let output = command
-        .output()
-        .ok()
-        .filter(|output| output.status.success())?;
-    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    printed(command).ok()
 }
 
 /// What `command` prints; its errors are shown as they come.
@@ -87,16 +83,26 @@ pub fn output(command: &mut Command) -> Option<String> {
 /// # Errors
 /// It cannot be started, or ends with anything but success.
 pub fn answer(command: &mut Command) -> Result<String, Failure> {
+    printed(command.stderr(Stdio::inherit()))
+}
+
+fn printed(command: &mut Command) -> Result<String, Failure> {
     let shown = show(command);
-    let output = command
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|error| Failure::new(format!("`{shown}`: {error}")))?;
+    let failed = |why: &dyn fmt::Display| Failure::new(format!("`{shown}`: {why}"));
+    let output = command.output().map_err(|error| failed(&error))?;
     if output.status.success() {
         Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
     } else {
-        Err(Failure::new(format!("`{shown}`: {}", output.status)))
+        Err(failed(&output.status))
     }
+}
+
+/// Reads a text.
+///
+/// # Errors
+/// It cannot be read, or is no UTF-8.
+pub fn text(path: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
 }
 
 /// Starts `command` and goes on; its end is waited for by [`Beside::done`].

@@ -6,7 +6,7 @@ use crate::tools::{BARE, WASM, browser, gpsd, has_target, wasm_target};
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
-use xtask::shell::{Failure, Outcome, cargo, has, output, root, run, step, target};
+use xtask::shell::{Failure, Outcome, cargo, has, output, root, run, step, target, text};
 
 /// Installs what the tests need, checks and tests everything; the first failure ends it.
 ///
@@ -144,10 +144,6 @@ fn wasm_tests() -> Outcome {
         command.env("WASM_BINDGEN_USE_BROWSER", "1");
     }
     run(&mut command)
-}
-
-fn text(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
 }
 
 fn file_lengths() -> Outcome {

@@ -5,11 +5,6 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use xtask::shell::{Failure, Outcome};
 
-/// Reads a text.
-pub(crate) fn text(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
-}
-
 /// Writes the compressed forms of files beside them (`.br`, `.gz`), on all cores.
 ///
 /// # Errors

@@ -6,12 +6,12 @@
 
 mod files;
 
-use files::{Compression, base64, fingerprint, pack, text, write};
+use files::{Compression, base64, fingerprint, pack, write};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use wasm_bindgen_cli_support::Bindgen;
-use xtask::shell::{Failure, Outcome, root, target};
+use xtask::shell::{Failure, Outcome, root, target, text};
 
 fn main() -> ExitCode {
     let folder = std::env::args_os().nth(1).map(PathBuf::from);
