@@ -14,9 +14,12 @@ mod sight;
 mod watch;
 
 use crate::alerts::Standing;
+use crate::nmea::Sentence;
 use crate::picture::Picture;
 use crate::route::{Progress, Route};
-use crate::station::{ChecksumPolicy, Direction, Input, Output, PortSetup, Profile};
+use crate::station::{
+    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Station,
+};
 use crate::time::Stamp;
 use crate::units::{Distance, Speed};
 use alloc::string::String;
@@ -87,6 +90,7 @@ pub struct ChartSystem {
     config: ChartConfig,
     route: Option<Route>,
     revision: u64,
+    post: Post,
     heard: Heard,
     current: Current,
     progress: Option<Progress>,
@@ -105,7 +109,8 @@ impl ChartSystem {
     #[must_use]
     pub fn new(config: ChartConfig) -> Self {
         let mut system = Self {
-            heard: Heard::new(&config.ports),
+            post: Post::new(config.ports.clone()),
+            heard: Heard::default(),
             current: Current::default(),
             progress: None,
             forwarding: Distance::default(),
@@ -152,7 +157,7 @@ impl ChartSystem {
     pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
         self.run(now, out);
         match input {
-            Input::Bytes { port, bytes } => self.heard.hear(now, port, bytes, out),
+            Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
             Input::Stalled { .. } => self.heard.forget_all(),
             Input::Tick => {}
         }
@@ -181,25 +186,16 @@ impl ChartSystem {
     /// One second: where the ship is, what is indicated, what is said.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         self.now = now;
-        self.heard.time_out(now, out);
+        station::time_out(self, now, out);
         self.monitor(now);
         self.watch_over(now);
         let lines = self.sentences(now);
-        for (port, setup) in self.config.ports.iter().enumerate() {
-            if setup.profile != Profile::Ecdis || !setup.output {
+        for port in 0..self.post.ports().len() {
+            if self.post.ports()[port].profile != Profile::Ecdis {
                 continue;
             }
             for line in &lines {
-                let text = line.clone().into_bytes();
-                self.heard.sent(now, port, &text);
-                let mut bytes = text.clone();
-                bytes.extend_from_slice(b"\r\n");
-                out.push(Output::Line {
-                    port,
-                    dir: Direction::Out,
-                    text,
-                });
-                out.push(Output::Send { port, bytes });
+                self.post.say(now, port, line, out);
             }
         }
     }
@@ -252,7 +248,7 @@ impl ChartSystem {
     /// What it has heard and sent; pages fold the same lines.
     #[must_use]
     pub const fn picture(&self) -> &Picture {
-        self.heard.picture()
+        &self.post.picture
     }
 
     /// Its alerts that are not normal, the highest first.
@@ -269,6 +265,17 @@ impl ChartSystem {
     /// Silences its alerts for 30 s.
     pub fn silence(&mut self, now: Stamp) {
         self.watch.silence(now);
+    }
+}
+
+impl Station for ChartSystem {
+    fn post(&mut self) -> &mut Post {
+        &mut self.post
+    }
+
+    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
+        let profile = self.post.ports()[port].profile;
+        self.heard.take(now, profile, sentence);
     }
 }
 

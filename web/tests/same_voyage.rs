@@ -121,6 +121,8 @@ fn a_voyage_with_faults_replays_and_the_page_agrees_in_every_world() {
         panic!("{difference}");
     }
     // `cargo xtask test` reads this natively and gives it to the build for wasm.
+    // The first line is the image of the stations; what follows is what they did, however they are built.
+    println!("OUTPUTS {}", digest(&sailed.recording[1..]));
     let digest = digest(&sailed.recording);
     println!("VOYAGE {digest}");
     if let Some(native) = option_env!("WHEELOVER_NATIVE_VOYAGE") {

@@ -108,7 +108,7 @@ impl Autopilot {
 
     /// The last HTC that may be obeyed and is fresh.
     pub(super) fn commanded(&self) -> Option<Htc> {
-        self.fresh(self.picture.htc.as_ref(), Quantity::Control)
+        self.fresh(self.post.picture.htc.as_ref(), Quantity::Control)
             .map(|commanded| commanded.htc)
             .filter(|htc| htc.status.is_some() || self.settings.accept_null_status >= 0.5)
     }
@@ -134,7 +134,7 @@ impl Autopilot {
 
     /// AP-7: the first thing that is missing.
     pub(super) fn missing(&self, now: Stamp, wanted: Wanted) -> Option<&'static str> {
-        let picture = &self.picture;
+        let picture = &self.post.picture;
         if self.heading.is_none() {
             return Some("no heading");
         }

@@ -21,7 +21,7 @@ const SAME_TURN_M: f64 = 50.0;
 impl Autopilot {
     /// An HTC was heard on a port that may command.
     pub(super) fn on_htc(&mut self, now: Stamp) {
-        let Some(heard) = self.picture.htc.clone() else {
+        let Some(heard) = self.post.picture.htc.clone() else {
             return;
         };
         let htc = heard.value.htc;
@@ -96,7 +96,7 @@ impl Autopilot {
             }
         } else if let (Mode::AutonavTn { hts, track, rate }, Some(htc)) = (
             &mut self.mode,
-            self.picture.htc.as_ref().map(|heard| &heard.value.htc),
+            self.post.picture.htc.as_ref().map(|heard| &heard.value.htc),
         ) {
             if let Some(commanded) = htc.heading_to_steer {
                 *hts = Heading::from_deg(commanded);
@@ -123,8 +123,8 @@ impl Autopilot {
         let Some(until) = self.stop_cause_until else {
             return;
         };
-        let xte = self.fresh(self.picture.xte.as_ref(), Quantity::Control);
-        let pney1 = self.fresh(self.picture.pney1.as_ref(), Quantity::Control);
+        let xte = self.fresh(self.post.picture.xte.as_ref(), Quantity::Control);
+        let pney1 = self.fresh(self.post.picture.pney1.as_ref(), Quantity::Control);
         let ended = xte.is_some_and(|xte| xte.cross_track.is_none())
             && pney1.is_some_and(|pney1| pney1.cross_track.is_none());
         if ended {
@@ -190,7 +190,7 @@ impl Autopilot {
         let age = |at: Option<Stamp>| at.map_or(f64::MAX, |at| now.since(at) as f64 / 1000.0);
         let mut oldest = ("HTC", age(Some(self.followed)));
         if matches!(self.mode, Mode::AutonavTi { .. }) {
-            let picture = &self.picture;
+            let picture = &self.post.picture;
             let fix = picture.fixes.iter().map(|fix| fix.at).max();
             let heard = [
                 ("XTE", picture.xte.as_ref().map(|heard| heard.at)),
@@ -210,10 +210,11 @@ impl Autopilot {
     /// Where the commanded leg passes: the chart system's position less its cross-track distance.
     pub(super) fn leg_point(&self, track: Course) -> Option<Point> {
         let plane = self.position_guard.plane()?;
-        let heard = self.picture.pney1.as_ref()?;
+        let heard = self.post.picture.pney1.as_ref()?;
         let distance = heard.value.cross_track? * METRES_PER_NAUTICAL_MILE;
         let own = self.position_guard.dead_reckoning(self.now);
         let charted = self
+            .post
             .picture
             .fixes
             .iter()
@@ -234,7 +235,7 @@ impl Autopilot {
             return;
         };
         let centre = self
-            .fresh(self.picture.pney2.as_ref(), Quantity::Control)
+            .fresh(self.post.picture.pney2.as_ref(), Quantity::Control)
             .and_then(|pney2| pney2.centre);
         let centre = self
             .position_guard

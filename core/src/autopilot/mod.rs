@@ -17,10 +17,10 @@ pub mod steering;
 
 use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
-use crate::nmea::{self, Ear, Frame};
+use crate::nmea::{self, Sentence};
 use crate::picture::Picture;
 use crate::settings::Settings;
-use crate::station::{Direction, Input, Output, PortIndex, PortSetup, Profile};
+use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Station};
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle};
 use alloc::collections::VecDeque;
@@ -39,8 +39,7 @@ pub const CONFIRM_MS: u64 = 20_000;
 /// The autopilot.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Autopilot {
-    picture: Picture,
-    ears: Vec<Ear>,
+    post: Post,
     alerts: Alerts,
     settings: Settings,
     steering: Steering,
@@ -63,8 +62,6 @@ pub struct Autopilot {
     stop_cause_until: Option<Stamp>,
     off_heading_since: Option<Stamp>,
     rudder_error_since: Option<Stamp>,
-    /// Nothing heard before counts (FA16).
-    fresh_after: Option<Stamp>,
     /// Alert reports that wait for their share of the line (AP-11).
     reports: VecDeque<Alert>,
     now: Stamp,
@@ -81,13 +78,11 @@ impl Autopilot {
         ship: SteeringSettings,
         now: Stamp,
     ) -> Self {
-        let ears = ports.iter().map(|_| Ear::default()).collect();
         let mut ship = ship;
         ship.slew = settings.rudder_slew;
         ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
         Self {
-            picture: Picture::new(ports),
-            ears,
+            post: Post::new(ports),
             alerts: Alerts::default(),
             settings,
             steering: Steering::new(ship),
@@ -106,7 +101,6 @@ impl Autopilot {
             stop_cause_until: None,
             off_heading_since: None,
             rudder_error_since: None,
-            fresh_after: None,
             reports: Alert::ALL
                 .iter()
                 .copied()
@@ -132,14 +126,14 @@ impl Autopilot {
         }
         self.advance(now, out);
         if let Input::Bytes { port, bytes } = input {
-            self.hear(now, port, bytes, out);
+            station::hear(self, now, port, bytes, out);
         }
     }
 
     /// FA16: no burst of what was missed; ages count the gap, and every input must be heard again.
     fn stalled(&mut self, now: Stamp, ms: u64) {
         self.now = now;
-        self.fresh_after = Some(now);
+        self.post.stalled(now);
         self.next_step = now + self.step_ms();
         while self.next_second <= now {
             self.next_second = self.next_second + 1_000;
@@ -147,49 +141,6 @@ impl Autopilot {
         let text = format!("the control loop was {ms} ms late");
         self.alerts.raise(now, Alert::Stalled, &text);
         self.fail_if_old(now);
-    }
-
-    fn hear(&mut self, now: Stamp, port: PortIndex, bytes: &[u8], out: &mut Vec<Output>) {
-        let Some(mut ear) = self.ears.get_mut(port).map(core::mem::take) else {
-            return;
-        };
-        ear.hear(now, bytes, &mut |frame| self.take(now, port, frame, out));
-        self.ears[port] = ear;
-    }
-
-    /// SEN-1: takes lines whose end has not come.
-    fn time_out(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        for port in 0..self.ears.len() {
-            if self.ears[port].is_late(now) {
-                let mut ear = core::mem::take(&mut self.ears[port]);
-                ear.time_out(now, &mut |frame| self.take(now, port, frame, out));
-                self.ears[port] = ear;
-            }
-        }
-    }
-
-    fn take(&mut self, now: Stamp, port: PortIndex, frame: Frame<'_>, out: &mut Vec<Output>) {
-        let sentence = nmea::decode(frame.text);
-        let accepted = self
-            .picture
-            .fold_sentence(now, port, Direction::In, &sentence);
-        out.push(Output::Line {
-            port,
-            dir: Direction::In,
-            text: frame.text.to_vec(),
-        });
-        if accepted && self.picture.ports[port].profile == Profile::Ecdis {
-            match sentence.formatter {
-                "HTC" => self.on_htc(now),
-                "ACK" => {
-                    let number = nmea::Ack::from_sentence(&sentence).and_then(|ack| ack.number);
-                    if let Some(number) = number {
-                        self.alerts.acknowledge(now, number as u16);
-                    }
-                }
-                _ => {}
-            }
-        }
     }
 
     fn step_ms(&self) -> u64 {
@@ -215,7 +166,7 @@ impl Autopilot {
 
     /// One control step.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        self.time_out(now, out);
+        station::time_out(self, now, out);
         self.alerts.tick(now);
         self.read_sensors(now);
         self.supervise(now);
@@ -296,7 +247,7 @@ impl Autopilot {
         if idle(before) && !idle(self.mode.name()) {
             if before == ModeName::Standby {
                 // The gear stands where the hand left it.
-                let response = self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder);
+                let response = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
                 self.order = response.unwrap_or(self.order);
             }
             if let Some(measured) = self.measured(now) {
@@ -315,7 +266,7 @@ impl Autopilot {
         Ship {
             heading: self
                 .heading
-                .or_else(|| self.picture.heading(now).map(|heard| heard.value))
+                .or_else(|| self.post.picture.heading(now).map(|heard| heard.value))
                 .unwrap_or(Heading::from_deg(0.0)),
             hts: self.hts(),
             order: self.order,
@@ -341,7 +292,7 @@ impl Autopilot {
     /// The picture of what is heard and sent.
     #[must_use]
     pub fn picture(&self) -> &Picture {
-        &self.picture
+        &self.post.picture
     }
 
     /// Until when an AutoNAV selection waits for its confirmation.
@@ -384,5 +335,27 @@ impl Autopilot {
     #[must_use]
     pub fn rudder_order(&self) -> Option<RudderAngle> {
         (self.mode != Mode::Standby).then_some(self.order)
+    }
+}
+
+impl Station for Autopilot {
+    fn post(&mut self) -> &mut Post {
+        &mut self.post
+    }
+
+    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
+        if self.post.ports()[port].profile != Profile::Ecdis {
+            return;
+        }
+        match sentence.formatter {
+            "HTC" => self.on_htc(now),
+            "ACK" => {
+                let number = nmea::Ack::from_sentence(sentence).and_then(|ack| ack.number);
+                if let Some(number) = number {
+                    self.alerts.acknowledge(now, number as u16);
+                }
+            }
+            _ => {}
+        }
     }
 }

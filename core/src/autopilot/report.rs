@@ -8,7 +8,7 @@ use crate::nmea::{
     AcknowledgeState, AlarmCondition, Alr, CommandSource, DataStatus, Hdt, Htd, LimitStatus,
     OverrideStatus, Reference, Ror, Rsa, SteeringMode, TurnMode,
 };
-use crate::station::{Direction, Output, Profile};
+use crate::station::{Output, Profile};
 use crate::time::Stamp;
 use crate::units::RudderAngle;
 use alloc::vec::Vec;
@@ -29,6 +29,7 @@ impl Autopilot {
         let ror = self.ror().line(TALKER);
         // AP-12: the heading goes on with its source's talker.
         let hdt = self
+            .post
             .picture
             .heading(now)
             .zip(self.heading)
@@ -38,16 +39,16 @@ impl Autopilot {
                 }
                 .line(&heard.source.talker)
             });
-        for port in 0..self.picture.ports.len() {
+        for port in 0..self.post.picture.ports.len() {
             if matches!(
-                self.picture.ports[port].profile,
+                self.post.picture.ports[port].profile,
                 Profile::Ecdis | Profile::Monitor
             ) {
                 for line in [Some(&htd), Some(&rsa), Some(&ror), hdt.as_ref()]
                     .into_iter()
                     .flatten()
                 {
-                    self.send(port, line, out);
+                    self.post.say(now, port, line, out);
                 }
             }
         }
@@ -65,33 +66,17 @@ impl Autopilot {
             .then(|| self.reports.pop_front())
             .flatten()
             .map(|alert| self.alr(alert).line(TALKER));
-        for port in 0..self.picture.ports.len() {
-            match self.picture.ports[port].profile {
-                Profile::Gear => self.send(port, &ror, out),
+        for port in 0..self.post.picture.ports.len() {
+            match self.post.picture.ports[port].profile {
+                Profile::Gear => self.post.say(self.now, port, &ror, out),
                 Profile::Ecdis => {
                     if let Some(alr) = &alr {
-                        self.send(port, alr, out);
+                        self.post.say(self.now, port, alr, out);
                     }
                 }
                 _ => {}
             }
         }
-    }
-
-    fn send(&mut self, port: usize, line: &str, out: &mut Vec<Output>) {
-        if !self.picture.ports[port].output {
-            return;
-        }
-        let mut bytes = Vec::with_capacity(line.len() + 2);
-        bytes.extend_from_slice(line.as_bytes());
-        self.picture.fold(self.now, port, Direction::Out, &bytes);
-        out.push(Output::Line {
-            port,
-            dir: Direction::Out,
-            text: bytes.clone(),
-        });
-        bytes.extend_from_slice(b"\r\n");
-        out.push(Output::Send { port, bytes });
     }
 
     fn alr(&self, alert: Alert) -> Alr {
@@ -120,7 +105,7 @@ impl Autopilot {
     /// AP-4: one rudder; the port side is null with V.
     fn rsa(&self) -> Rsa {
         let failed = self.alerts.raised(Alert::Rudder);
-        let response = self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder);
+        let response = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
         Rsa {
             starboard: response.map(RudderAngle::deg),
             starboard_status: Some(if response.is_some() && !failed {
@@ -246,8 +231,9 @@ impl Autopilot {
 
     /// FA11, AP-4: no feedback, or feedback that does not follow.
     pub(super) fn watch_rudder(&mut self, now: Stamp) {
-        let response = self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder);
+        let response = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
         let has_gear = self
+            .post
             .picture
             .ports
             .iter()

@@ -18,20 +18,16 @@ impl Autopilot {
         heard: Option<&Heard<T>>,
         quantity: Quantity,
     ) -> Option<T> {
-        let heard = heard?;
-        if self.fresh_after.is_some_and(|after| heard.at <= after) {
-            return None;
-        }
-        heard.usable(quantity, self.now).cloned()
+        self.post.fresh(heard, quantity, self.now)
     }
 
     pub(super) fn read_sensors(&mut self, now: Stamp) {
-        let rate = self.fresh(self.picture.rate(now), Quantity::RateOfTurn);
+        let rate = self.fresh(self.post.picture.rate(now), Quantity::RateOfTurn);
         let sensed = rate.unwrap_or(self.rate);
         // A slow compass is carried on by the rate of turn until it is heard again.
         let read = self
-            .fresh(self.picture.heading(now), Quantity::Heading)
-            .zip(self.picture.heading(now))
+            .fresh(self.post.picture.heading(now), Quantity::Heading)
+            .zip(self.post.picture.heading(now))
             .map(|(read, heard)| {
                 let age = now.since(heard.at) as f64 / 1000.0;
                 read + Turn::from_deg(sensed.deg_per_s() * age)
@@ -75,15 +71,16 @@ impl Autopilot {
     /// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
     fn recovers(&self, now: Stamp) -> bool {
         let (_, lost) = limits(Quantity::Heading);
-        self.fresh_after
+        self.post
+            .stalled_at()
             .is_some_and(|after| now.since(after) <= lost)
     }
 
     pub(super) fn read_position(&mut self, now: Stamp) {
-        if let Some(ground) = self.fresh(self.picture.ground(now), Quantity::Ground) {
+        if let Some(ground) = self.fresh(self.post.picture.ground(now), Quantity::Ground) {
             self.position_guard.ground(ground.course, ground.speed);
         }
-        let heard = self.picture.fix(now);
+        let heard = self.post.picture.fix(now);
         let new = heard.filter(|fix| self.last_fix.is_none_or(|last| fix.at > last));
         let new = new.map(|fix| (fix.at, fix.value));
         if let Some((at, fix)) = new {
@@ -102,10 +99,10 @@ impl Autopilot {
         }
         self.recentre();
         let speed = self
-            .fresh(self.picture.ground(now), Quantity::Ground)
+            .fresh(self.post.picture.ground(now), Quantity::Ground)
             .is_some()
             || self
-                .fresh(self.picture.water_speed(now), Quantity::WaterSpeed)
+                .fresh(self.post.picture.water_speed(now), Quantity::WaterSpeed)
                 .is_some();
         self.alerts.set(
             now,
@@ -116,8 +113,8 @@ impl Autopilot {
     }
 
     pub(super) fn measured(&self, now: Stamp) -> Option<Measured> {
-        let ground = self.fresh(self.picture.ground(now), Quantity::Ground);
-        let water = self.fresh(self.picture.water_speed(now), Quantity::WaterSpeed);
+        let ground = self.fresh(self.post.picture.ground(now), Quantity::Ground);
+        let water = self.fresh(self.post.picture.water_speed(now), Quantity::WaterSpeed);
         let cruise = Speed::from_knots(self.settings.cruise_speed);
         let speed = water
             .or(ground.as_ref().map(|ground| ground.speed))
@@ -125,7 +122,7 @@ impl Autopilot {
         Some(Measured {
             heading: self.heading?,
             rate: self.rate,
-            rudder: self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder),
+            rudder: self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder),
             water_speed: Some(speed),
             ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
             position: self.position_guard.fix(now),

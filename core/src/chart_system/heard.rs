@@ -3,14 +3,12 @@
 use crate::geo::{Plane, Point, Position};
 use crate::limits::{Quantity, limits};
 use crate::nmea::{
-    self, DataStatus, Ear, Frame, Gll, Hdt, Htd, ModeIndicator, Sentence, SteeringMode, Ths,
-    ThsMode, UtcTime, Vhw, Vtg,
+    DataStatus, Gll, Hdt, Htd, ModeIndicator, Sentence, SteeringMode, Ths, ThsMode, UtcTime, Vhw,
+    Vtg,
 };
-use crate::picture::Picture;
-use crate::station::{Direction, Output, PortIndex, PortSetup, Profile};
+use crate::station::Profile;
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Speed};
-use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// A fix that differs from dead reckoning by more than this is not used at once, metres (FA9).
@@ -47,10 +45,8 @@ pub(super) struct Ground {
 type Timed<T> = Option<(T, Stamp)>;
 
 /// Everything heard.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Heard {
-    picture: Picture,
-    ears: Vec<Ear>,
     fix: Timed<Fix>,
     off: u8,
     jumped: bool,
@@ -69,98 +65,28 @@ fn fresh<T: Copy>(value: Timed<T>, quantity: Quantity, now: Stamp) -> Option<T> 
 }
 
 impl Heard {
-    pub(super) fn new(ports: &[PortSetup]) -> Self {
-        Self {
-            picture: Picture::new(ports.to_vec()),
-            ears: ports.iter().map(|_| Ear::default()).collect(),
-            fix: None,
-            off: 0,
-            jumped: false,
-            ground: None,
-            heading: None,
-            forwarded: None,
-            water: None,
-            steering: None,
-        }
-    }
-
-    /// Takes bytes of a port; each line that they end goes to `out`.
-    pub(super) fn hear(
-        &mut self,
-        now: Stamp,
-        port: PortIndex,
-        bytes: &[u8],
-        out: &mut Vec<Output>,
-    ) {
-        let first = out.len();
-        let Some(ear) = self.ears.get_mut(port) else {
-            return;
-        };
-        ear.hear(now, bytes, &mut line_sink(port, out));
-        self.take(now, port, &out[first..]);
-    }
-
-    /// Ends lines whose end has not come in time.
-    pub(super) fn time_out(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        for port in 0..self.ears.len() {
-            let ear = &mut self.ears[port];
-            if ear.is_late(now) {
-                let first = out.len();
-                ear.time_out(now, &mut line_sink(port, out));
-                self.take(now, port, &out[first..]);
-            }
-        }
-    }
-
-    /// A line was sent.
-    pub(super) fn sent(&mut self, now: Stamp, port: PortIndex, text: &[u8]) {
-        self.picture.fold(now, port, Direction::Out, text);
-    }
-
-    /// Everything heard and sent, as a page folds it.
-    pub(super) const fn picture(&self) -> &Picture {
-        &self.picture
-    }
-
-    fn take(&mut self, now: Stamp, port: PortIndex, lines: &[Output]) {
-        for line in lines {
-            if let Output::Line { text, .. } = line {
-                self.line(now, port, text);
-            }
-        }
-    }
-
-    fn line(&mut self, now: Stamp, port: PortIndex, text: &[u8]) {
-        let sentence = nmea::decode(text);
-        let Some(profile) = self.picture.ports.get(port).map(|setup| setup.profile) else {
-            return;
-        };
-        if !self
-            .picture
-            .fold_sentence(now, port, Direction::In, &sentence)
-        {
-            return;
-        }
+    /// Takes an accepted sentence of a port of that profile.
+    pub(super) fn take(&mut self, now: Stamp, profile: Profile, sentence: &Sentence<'_>) {
         match profile {
             Profile::Gps => {
-                self.position(now, &sentence);
-                self.ground(now, &sentence);
+                self.position(now, sentence);
+                self.ground(now, sentence);
             }
             Profile::Gyro1 | Profile::Gyro2 | Profile::Thd => {
-                if let Some(heading) = heading(&sentence) {
+                if let Some(heading) = heading(sentence) {
                     self.heading = heading.map(|heading| (heading, now));
                 }
             }
             Profile::Log => {
-                if let Some(vhw) = Vhw::from_sentence(&sentence) {
+                if let Some(vhw) = Vhw::from_sentence(sentence) {
                     self.water = vhw.speed_knots.map(|knots| (Speed::from_knots(knots), now));
                 }
             }
             Profile::Ecdis => {
-                if let Some(htd) = Htd::from_sentence(&sentence) {
+                if let Some(htd) = Htd::from_sentence(sentence) {
                     self.steering = Some((htd.steering_mode, now));
                 }
-                if let Some(heading) = heading(&sentence) {
+                if let Some(heading) = heading(sentence) {
                     self.forwarded = heading.map(|heading| (heading, now));
                 }
             }
@@ -311,18 +237,6 @@ impl Heard {
         self.forwarded = None;
         self.water = None;
         self.steering = None;
-    }
-}
-
-/// Puts frames into the list of outputs.
-fn line_sink(port: PortIndex, out: &mut Vec<Output>) -> impl FnMut(Frame<'_>) {
-    move |frame| {
-        let text = frame.text.to_vec();
-        out.push(Output::Line {
-            port,
-            dir: Direction::In,
-            text,
-        });
     }
 }
 

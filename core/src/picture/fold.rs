@@ -13,6 +13,14 @@ const MAX_SOURCES: usize = 8;
 impl Picture {
     /// Folds one line. The result depends on the arguments and the earlier lines alone.
     pub fn fold(&mut self, at: Stamp, port: PortIndex, dir: Direction, text: &[u8]) {
+        let profile = self.ports.get(port).map(|setup| setup.profile);
+        if dir == Direction::Out && profile != Some(Profile::Ecdis) {
+            // Nothing of it is kept: it need not be read.
+            if let Some(count) = self.counts.get_mut(port) {
+                count.sent += 1;
+            }
+            return;
+        }
         let sentence = nmea::decode(text);
         self.fold_sentence(at, port, dir, &sentence);
     }

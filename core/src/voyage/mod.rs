@@ -378,10 +378,11 @@ impl Voyage {
     #[must_use]
     pub fn picture(&self) -> &Picture {
         static EMPTY: Picture = Picture::empty();
-        match (&self.autopilot, &self.chart) {
-            (Some(autopilot), _) => autopilot.picture(),
-            (None, Some(chart)) => chart.picture(),
-            (None, None) => &EMPTY,
+        match (&self.autopilot, &self.chart, &self.world) {
+            (Some(autopilot), ..) => autopilot.picture(),
+            (None, Some(chart), _) => chart.picture(),
+            (None, None, Some(world)) => world.picture(),
+            (None, None, None) => &EMPTY,
         }
     }
 

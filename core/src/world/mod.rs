@@ -16,7 +16,11 @@ pub use sensors::Noise;
 
 use crate::command::FaultKind;
 use crate::geo::{Plane, Point, Position};
-use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile};
+use crate::nmea::Sentence;
+use crate::picture::Picture;
+use crate::station::{
+    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Station,
+};
 use crate::time::Stamp;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::string::String;
@@ -113,7 +117,7 @@ pub struct World {
     log_speed: f64,
     /// Last valid rudder order (rad) and when it came.
     order: Option<(f64, Stamp)>,
-    ear: talk::Ear,
+    post: Post,
     next: Stamp,
     steps: u64,
     sailed: f64,
@@ -125,6 +129,13 @@ impl World {
     pub fn new(config: WorldConfig) -> Self {
         let speed = config.speed.mps();
         let hull = Hull::running(config.heading.rad(), speed);
+        // Whether anything leaves the house is for its owner to say; a cable inside hears the sensors in any case.
+        let ports = config.ports.iter().cloned();
+        let ports = ports.map(|port| PortSetup {
+            output: true,
+            ..port
+        });
+        let ports = ports.collect();
         let mut world = Self {
             hull,
             drive: Drive {
@@ -138,7 +149,7 @@ impl World {
             log_injury: sensors::Injury::default(),
             log_speed: speed,
             order: None,
-            ear: talk::Ear::default(),
+            post: Post::new(ports),
             next: Stamp(0),
             steps: 0,
             sailed: 0.0,
@@ -154,16 +165,23 @@ impl World {
         self.next
     }
 
+    /// What it has heard and said; pages fold the same lines.
+    #[must_use]
+    pub const fn picture(&self) -> &Picture {
+        &self.post.picture
+    }
+
     /// Its ports.
     #[must_use]
     pub fn ports(&self) -> &[PortSetup] {
-        &self.config.ports
+        self.post.ports()
     }
 
     /// Index of the port with that profile.
     #[must_use]
     pub fn port(&self, profile: Profile) -> Option<PortIndex> {
-        self.config.ports.iter().position(|p| p.profile == profile)
+        let ports = self.post.ports();
+        ports.iter().position(|port| port.profile == profile)
     }
 
     /// Runs all steps due up to `now`, then takes the input.
@@ -175,12 +193,8 @@ impl World {
                 self.step(out);
             }
         }
-        if let Input::Bytes { port, bytes } = input
-            && Some(port) == self.port(Profile::Gear)
-        {
-            self.ear.hear(bytes, &mut |order| {
-                self.order = order.map(|angle| (angle.rad(), now));
-            });
+        if let Input::Bytes { port, bytes } = input {
+            station::hear(self, now, port, bytes, out);
         }
     }
 
@@ -250,6 +264,7 @@ impl World {
 
     fn step(&mut self, out: &mut Vec<Output>) {
         let now = self.next;
+        station::time_out(self, now, out);
         let dt = STEP as f64 / 1000.0;
         self.drive.order = match self.order {
             Some((order, at)) if now.since(at) <= ORDER_AGE => order,
@@ -270,12 +285,11 @@ impl World {
             &mut self.random,
             dt,
         );
-        self.say(Profile::Gyro1, out, |line| {
-            talk::heading(line, self.compass.heading);
-            talk::rate(line, self.compass.rate);
-        });
-        let rudder = self.hull.rudder.to_degrees();
-        self.say(Profile::Gear, out, |line| talk::rudder(line, rudder));
+        let heading = talk::heading(self.compass.heading);
+        let rate = talk::rate(self.compass.rate);
+        self.say(now, Profile::Gyro1, &[&heading, &rate], out);
+        let rudder = talk::rudder(self.hull.rudder.to_degrees());
+        self.say(now, Profile::Gear, &[&rudder], out);
         if self.steps.is_multiple_of(1000 / STEP) {
             self.say_each_second(now, out);
         }
@@ -293,18 +307,30 @@ impl World {
             let jump = if self.log_injury.jump { 5.0 } else { 0.0 };
             self.log_speed = self.hull.surge + jump;
         }
-        self.say(Profile::Gps, out, |line| {
-            talk::position(line, self.receiver.position, now);
-            talk::velocity(line, self.receiver.course, self.receiver.speed);
-        });
-        self.say(Profile::Log, out, |line| talk::log(line, self.log_speed));
+        let position = talk::position(self.receiver.position, now);
+        let velocity = talk::velocity(self.receiver.course, self.receiver.speed);
+        self.say(now, Profile::Gps, &[&position, &velocity], out);
+        let log = talk::log(self.log_speed);
+        self.say(now, Profile::Log, &[&log], out);
     }
 
-    fn say(&self, profile: Profile, out: &mut Vec<Output>, what: impl FnOnce(&mut Vec<u8>)) {
+    fn say(&mut self, now: Stamp, profile: Profile, lines: &[&str], out: &mut Vec<Output>) {
         if let Some(port) = self.port(profile) {
-            let mut bytes = Vec::with_capacity(80);
-            what(&mut bytes);
-            out.push(Output::Send { port, bytes });
+            self.post.say_together(now, port, lines, out);
+        }
+    }
+}
+
+impl Station for World {
+    fn post(&mut self) -> &mut Post {
+        &mut self.post
+    }
+
+    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
+        if self.post.ports()[port].profile == Profile::Gear
+            && let Some(order) = talk::order(sentence)
+        {
+            self.order = order.map(|angle| (angle.rad(), now));
         }
     }
 }

@@ -2,57 +2,56 @@
 
 use crate::geo::Position;
 use crate::nmea::{
-    self, DataStatus, Framer, Gll, Hdt, ModeIndicator, Ror, Rot, Rsa, UtcTime, Vhw, Vtg,
+    DataStatus, Gll, Hdt, ModeIndicator, Ror, Rot, Rsa, Sentence, UtcTime, Vhw, Vtg,
 };
 use crate::time::Stamp;
 use crate::units::{METRES_PER_SECOND_PER_KNOT, RudderAngle};
-use alloc::vec::Vec;
-use serde::{Deserialize, Serialize};
+use alloc::string::String;
 
 const VALID: Option<DataStatus> = Some(DataStatus::Valid);
 const DIFFERENTIAL: Option<ModeIndicator> = Some(ModeIndicator::Differential);
 
 /// Gyro: HDT.
-pub(super) fn heading(out: &mut Vec<u8>, degrees: f64) {
+pub(super) fn heading(degrees: f64) -> String {
     let hdt = Hdt {
         heading: Some(degrees),
     };
-    say(out, &hdt.line("HE"));
+    hdt.line("HE")
 }
 
 /// Gyro: ROT.
-pub(super) fn rate(out: &mut Vec<u8>, degrees_per_minute: f64) {
+pub(super) fn rate(degrees_per_minute: f64) -> String {
     let rot = Rot {
         rate: Some(degrees_per_minute),
         status: VALID,
     };
-    say(out, &rot.line("HE"));
+    rot.line("HE")
 }
 
 /// Steering gear: RSA with a single rudder.
-pub(super) fn rudder(out: &mut Vec<u8>, degrees: f64) {
+pub(super) fn rudder(degrees: f64) -> String {
     let rsa = Rsa {
         starboard: Some(degrees),
         starboard_status: VALID,
         port: None,
         port_status: Some(DataStatus::Invalid),
     };
-    say(out, &rsa.line("II"));
+    rsa.line("II")
 }
 
 /// Position receiver: GLL with differential correction.
-pub(super) fn position(out: &mut Vec<u8>, at: Position, now: Stamp) {
+pub(super) fn position(at: Position, now: Stamp) -> String {
     let gll = Gll {
         position: Some(at),
         time: Some(UtcTime::from_seconds(now.seconds())),
         status: VALID,
         mode: DIFFERENTIAL,
     };
-    say(out, &gll.line("GP"));
+    gll.line("GP")
 }
 
 /// Position receiver: VTG; speed in m/s.
-pub(super) fn velocity(out: &mut Vec<u8>, course: f64, speed: f64) {
+pub(super) fn velocity(course: f64, speed: f64) -> String {
     let vtg = Vtg {
         course_true: Some(course),
         speed_knots: Some(speed / METRES_PER_SECOND_PER_KNOT),
@@ -60,40 +59,22 @@ pub(super) fn velocity(out: &mut Vec<u8>, course: f64, speed: f64) {
         mode: DIFFERENTIAL,
         ..Vtg::default()
     };
-    say(out, &vtg.line("GP"));
+    vtg.line("GP")
 }
 
 /// Speed log: VHW; speed in m/s.
-pub(super) fn log(out: &mut Vec<u8>, speed: f64) {
+pub(super) fn log(speed: f64) -> String {
     let vhw = Vhw {
         speed_knots: Some(speed / METRES_PER_SECOND_PER_KNOT),
         speed_kmh: Some(speed * 3.6),
         ..Vhw::default()
     };
-    say(out, &vhw.line("VD"));
+    vhw.line("VD")
 }
 
-fn say(out: &mut Vec<u8>, line: &str) {
-    out.extend_from_slice(line.as_bytes());
-    out.extend_from_slice(b"\r\n");
-}
-
-/// Collects lines from bytes and hears the rudder orders among them.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Ear(Framer);
-
-impl Ear {
-    /// Calls `order` with each ROR: the angle, or nothing where its status is not A.
-    pub(super) fn hear(&mut self, bytes: &[u8], order: &mut dyn FnMut(Option<RudderAngle>)) {
-        self.0.push(bytes, &mut |frame| {
-            let sentence = nmea::decode(frame.text);
-            if !sentence.checksum.is_right() {
-                return;
-            }
-            if let Some(ror) = Ror::from_sentence(&sentence) {
-                let angle = ror.starboard.map(RudderAngle::from_deg);
-                order(angle.filter(|_| ror.starboard_status == VALID));
-            }
-        });
-    }
+/// The rudder order of an ROR: the angle, or nothing where its status is not A. The outer none: another sentence.
+pub(super) fn order(sentence: &Sentence<'_>) -> Option<Option<RudderAngle>> {
+    let ror = Ror::from_sentence(sentence)?;
+    let angle = ror.starboard.map(RudderAngle::from_deg);
+    Some(angle.filter(|_| ror.starboard_status == VALID))
 }

@@ -60,7 +60,10 @@ fn each_sensor_speaks_at_its_own_pace() {
     );
     let place = &texts(&out, 1)[0];
     assert!(place.starts_with("$GPGLL,5400.000"), "{place}");
-    assert!(out.iter().all(|o| !matches!(o, Output::Line { .. })));
+    // What is said is shown, line by line.
+    let lines = out.iter().filter(|o| matches!(o, Output::Line { .. }));
+    let said: usize = (0..4).map(|port| texts(&out, port).len()).sum();
+    assert_eq!((lines.count(), said), (33, 33));
 }
 
 #[test]

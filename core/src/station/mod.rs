@@ -1,6 +1,10 @@
-//! What every station (autopilot, chart system, world) shares: ports, what goes in, what comes out.
+//! What every station (autopilot, chart system, world) shares: ports, what goes in, what comes out, its post.
 //!
 //! **Invariant:** stations exchange bytes only, never state.
+
+mod post;
+
+pub(crate) use post::{Post, Station, hear, time_out};
 
 use alloc::string::String;
 use alloc::vec::Vec;

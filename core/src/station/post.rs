@@ -1,0 +1,153 @@
+//! The post of a station: it hears its ports, keeps the picture of what they said, and speaks.
+//!
+//! In: bytes of a port. Out: a [`Output::Line`] for each line heard or said, and [`Output::Send`] for what is said.
+//! Every line is folded into the picture, so that a page that folds the same lines has the same picture.
+
+use super::{Direction, Output, PortIndex, PortSetup};
+use crate::limits::Quantity;
+use crate::nmea::{self, Ear, Frame, Sentence};
+use crate::picture::{Heard, Picture};
+use crate::time::Stamp;
+use alloc::vec::Vec;
+use serde::{Deserialize, Serialize};
+
+/// Ports, ears, picture and voice of a station.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Post {
+    /// What was heard and said, and on which ports.
+    pub(crate) picture: Picture,
+    ears: Vec<Ear>,
+    /// Nothing heard up to then counts (FA16).
+    fresh_after: Option<Stamp>,
+}
+
+impl Post {
+    /// A post that has heard nothing.
+    pub(crate) fn new(ports: Vec<PortSetup>) -> Self {
+        Self {
+            ears: ports.iter().map(|_| Ear::default()).collect(),
+            picture: Picture::new(ports),
+            fresh_after: None,
+        }
+    }
+
+    /// Its ports.
+    pub(crate) fn ports(&self) -> &[PortSetup] {
+        &self.picture.ports
+    }
+
+    /// FA16: the station stood still; everything must be heard again.
+    pub(crate) fn stalled(&mut self, now: Stamp) {
+        self.fresh_after = Some(now);
+    }
+
+    /// When the station last stood still.
+    pub(crate) const fn stalled_at(&self) -> Option<Stamp> {
+        self.fresh_after
+    }
+
+    /// A heard value that is usable and was heard since the last stall.
+    pub(crate) fn fresh<T: Clone>(
+        &self,
+        heard: Option<&Heard<T>>,
+        quantity: Quantity,
+        now: Stamp,
+    ) -> Option<T> {
+        let heard = heard?;
+        if self.fresh_after.is_some_and(|after| heard.at <= after) {
+            return None;
+        }
+        heard.usable(quantity, now).cloned()
+    }
+
+    /// Says a sentence on a port, where the port may speak.
+    pub(crate) fn say(&mut self, now: Stamp, port: PortIndex, line: &str, out: &mut Vec<Output>) {
+        self.say_together(now, port, &[line], out);
+    }
+
+    /// Says sentences that leave together.
+    pub(crate) fn say_together(
+        &mut self,
+        now: Stamp,
+        port: PortIndex,
+        lines: &[&str],
+        out: &mut Vec<Output>,
+    ) {
+        if !self.ports().get(port).is_some_and(|port| port.output) {
+            return;
+        }
+        let length = lines.iter().map(|line| line.len() + 2).sum();
+        let mut bytes = Vec::with_capacity(length);
+        for line in lines {
+            let text = line.as_bytes();
+            self.picture.fold(now, port, Direction::Out, text);
+            out.push(Output::Line {
+                port,
+                dir: Direction::Out,
+                text: text.to_vec(),
+            });
+            bytes.extend_from_slice(text);
+            bytes.extend_from_slice(b"\r\n");
+        }
+        out.push(Output::Send { port, bytes });
+    }
+}
+
+/// A station at its post.
+pub(crate) trait Station {
+    /// Its post.
+    fn post(&mut self) -> &mut Post;
+
+    /// Acts on a sentence that the port's policy accepts; it stands in the picture already.
+    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>);
+}
+
+/// Takes bytes of a port.
+pub(crate) fn hear(
+    station: &mut impl Station,
+    now: Stamp,
+    port: PortIndex,
+    bytes: &[u8],
+    out: &mut Vec<Output>,
+) {
+    let Some(mut ear) = station.post().ears.get_mut(port).map(core::mem::take) else {
+        return;
+    };
+    ear.hear(now, bytes, &mut |frame| {
+        take(station, now, port, frame, out)
+    });
+    station.post().ears[port] = ear;
+}
+
+/// SEN-1: takes lines whose end has not come.
+pub(crate) fn time_out(station: &mut impl Station, now: Stamp, out: &mut Vec<Output>) {
+    for port in 0..station.post().ears.len() {
+        if station.post().ears[port].is_late(now) {
+            let mut ear = core::mem::take(&mut station.post().ears[port]);
+            ear.time_out(now, &mut |frame| take(station, now, port, frame, out));
+            station.post().ears[port] = ear;
+        }
+    }
+}
+
+fn take(
+    station: &mut impl Station,
+    now: Stamp,
+    port: PortIndex,
+    frame: Frame<'_>,
+    out: &mut Vec<Output>,
+) {
+    let sentence = nmea::decode(frame.text);
+    let accepted = station
+        .post()
+        .picture
+        .fold_sentence(now, port, Direction::In, &sentence);
+    out.push(Output::Line {
+        port,
+        dir: Direction::In,
+        text: frame.text.to_vec(),
+    });
+    if accepted {
+        station.heard(now, port, &sentence);
+    }
+}
