@@ -3,6 +3,7 @@
 use crate::time::Stamp;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
+use core::cmp::Reverse;
 use serde::{Deserialize, Serialize};
 
 /// Priority, highest first.
@@ -86,7 +87,7 @@ macro_rules! alerts {
 
 alerts! {
     /// TCS-8: the chart system's control is lost.
-    TrackFail = 101, Alarm, B, "TRACK FAIL", "Track control lost. AUTO steers: check heading, SWITCH TO AUTO to take over";
+    TrackFail = 101, Alarm, B, "TRACK FAIL", "Track control lost";
     /// TCS-8: the chart system's sentences are late.
     TrackDataLate = 102, Caution, B, "TRACK DATA LATE", "The chart system's sentences are late. Check the chart system";
     /// FA7: no usable heading.
@@ -163,6 +164,22 @@ impl Standing {
         } else {
             &self.detail
         }
+    }
+
+    /// Where it stands in a list, lowest first (DSP-5): seven levels, what nobody has taken before what was taken and
+    /// within that by priority, cautions last; within a level the newest first.
+    #[must_use]
+    pub const fn rank(&self) -> (u8, Reverse<Stamp>) {
+        let level = match (self.alert.definition().priority, self.state) {
+            (Priority::Alarm, State::Unacknowledged | State::Silenced) => 1,
+            (Priority::Alarm, State::RectifiedUnacknowledged) => 2,
+            (Priority::Warning, State::Unacknowledged | State::Silenced) => 3,
+            (Priority::Warning, State::RectifiedUnacknowledged) => 4,
+            (Priority::Alarm, State::Acknowledged | State::Transferred | State::Normal) => 5,
+            (Priority::Warning, State::Acknowledged | State::Transferred | State::Normal) => 6,
+            (Priority::Caution, _) => 7,
+        };
+        (level, Reverse(self.at))
     }
 }
 
@@ -337,49 +354,4 @@ impl Alerts {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_title_fits_the_alert_sentence() {
-        for alert in Alert::ALL {
-            assert!(alert.definition().title.len() <= 18, "{alert:?}");
-            assert_eq!(Alert::of_number(alert.number()), Some(*alert));
-        }
-    }
-
-    // FA15
-    #[test]
-    fn a_silenced_alarm_sounds_again_after_thirty_seconds() {
-        let mut alerts = Alerts::default();
-        alerts.raise(Stamp(0), Alert::TrackFail, "HTC missing");
-        alerts.silence(Stamp(1_000));
-        alerts.tick(Stamp(30_999));
-        assert_eq!(alerts.state(Alert::TrackFail), State::Silenced);
-        alerts.tick(Stamp(31_000));
-        assert_eq!(alerts.state(Alert::TrackFail), State::Unacknowledged);
-    }
-
-    #[test]
-    fn a_rectified_alarm_stays_until_it_is_taken() {
-        let mut alerts = Alerts::default();
-        alerts.raise(Stamp(0), Alert::TrackFail, "");
-        alerts.rectify(Stamp(5), Alert::TrackFail);
-        assert_eq!(
-            alerts.state(Alert::TrackFail),
-            State::RectifiedUnacknowledged
-        );
-        assert!(alerts.acknowledge(Stamp(6), 101));
-        assert_eq!(alerts.state(Alert::TrackFail), State::Normal);
-        assert!(!alerts.acknowledge(Stamp(7), 101));
-    }
-
-    #[test]
-    fn a_caution_needs_no_acknowledgement() {
-        let mut alerts = Alerts::default();
-        alerts.raise(Stamp(0), Alert::SpeedLost, "");
-        alerts.rectify(Stamp(5), Alert::SpeedLost);
-        assert_eq!(alerts.state(Alert::SpeedLost), State::Normal);
-        assert_eq!(alerts.take_changed(), [Alert::SpeedLost]);
-    }
-}
+mod tests;

@@ -4,7 +4,7 @@ use super::entry::{Wanted, turn_rate};
 use super::modes::{Cause, Event};
 use super::steering::{Path, PathTurn};
 use super::{Autopilot, Mode};
-use crate::alerts::Alert;
+use crate::alerts::{Alert, Standing, State};
 use crate::geo::Point;
 use crate::limits::Quantity;
 use crate::nmea::{OverrideStatus, Reference, SteeringMode};
@@ -129,10 +129,7 @@ impl Autopilot {
             && pney1.is_some_and(|pney1| pney1.cross_track.is_none());
         if ended {
             self.why = "end of route".into();
-            self.alerts.retext(
-                Alert::TrackFail,
-                "end of route: AUTO steers, SWITCH TO AUTO",
-            );
+            self.alerts.retext(Alert::TrackFail, "end of route");
         }
         if ended || now >= until {
             self.stop_cause_until = None;
@@ -143,13 +140,29 @@ impl Autopilot {
     pub(super) fn track_fail(&mut self, now: Stamp, cause: Cause, text: &str) {
         self.alerts.rectify(now, Alert::TrackDataLate);
         self.alerts.rectify(now, Alert::NoDifferential);
-        self.alerts.raise(
-            now,
-            Alert::TrackFail,
-            &format!("{text}: AUTO steers, SWITCH TO AUTO"),
-        );
+        self.alerts.raise(now, Alert::TrackFail, text);
         self.commands.clear();
         self.apply(now, &Event::TrackFail(cause), text);
+    }
+
+    /// What an alert says. TRACK FAIL tells what steers now, so it changes with the mode.
+    #[must_use]
+    pub fn text_of(&self, standing: &Standing) -> String {
+        let steering = match &self.mode {
+            Mode::Auto {
+                finish: Some(_), ..
+            } => "AUTO finishes the turn, SWITCH TO AUTO",
+            Mode::Auto { .. } => "AUTO steers, SWITCH TO AUTO",
+            Mode::RudderHold { .. } => "rudder held, steer by hand",
+            Mode::Standby => "STANDBY, steer by hand",
+            Mode::AutonavTi { .. } | Mode::AutonavTn { .. } => "",
+        };
+        let text = standing.text();
+        let over = standing.state == State::RectifiedUnacknowledged;
+        if standing.alert != Alert::TrackFail || over || steering.is_empty() {
+            return text.to_string();
+        }
+        format!("{text}: {steering}")
     }
 
     /// Once a step: the pending selection, the ages of what is followed, the path.

@@ -77,9 +77,9 @@ pub(super) fn chart_own(chart: &ChartSystem) -> ChartOwn {
     }
 }
 
-/// An alert as it is shown.
+/// An alert as it is shown; the autopilot, where it runs here, says its own.
 #[must_use]
-pub(super) fn alert(standing: &Standing) -> AlertView {
+pub(super) fn alert(standing: &Standing, autopilot: Option<&Autopilot>) -> AlertView {
     let definition = standing.alert.definition();
     AlertView {
         number: standing.alert.number(),
@@ -87,7 +87,10 @@ pub(super) fn alert(standing: &Standing) -> AlertView {
         state: standing.state,
         category: definition.category,
         title: definition.title.to_string(),
-        text: standing.text().to_string(),
+        text: autopilot.map_or_else(
+            || standing.text().to_string(),
+            |autopilot| autopilot.text_of(standing),
+        ),
         at: standing.at.0,
     }
 }

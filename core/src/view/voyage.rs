@@ -26,7 +26,11 @@ pub fn snapshot(voyage: &Voyage) -> Snapshot {
         own: voyage.autopilot().map(|autopilot| own(autopilot, now)),
         chart: voyage.chart_system().map(chart_own),
         voyage: voyage.is_embedded().then(|| voyage_own(voyage)),
-        alerts: voyage.alerts().into_iter().map(alert).collect(),
+        alerts: voyage
+            .alerts()
+            .into_iter()
+            .map(|standing| alert(standing, voyage.autopilot()))
+            .collect(),
     }
 }
 

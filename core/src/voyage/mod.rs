@@ -288,13 +288,13 @@ impl Voyage {
         if pending { 1.0 } else { self.speed }
     }
 
-    /// The alerts of the stations that run here, highest first.
+    /// The alerts of the stations that run here, in the order in which they are shown.
     #[must_use]
     pub fn alerts(&self) -> Vec<&Standing> {
         let autopilot = self.autopilot.iter().flat_map(|a| a.alerts().standing());
         let chart = self.chart.iter().flat_map(ChartSystem::alerts);
         let mut alerts: Vec<_> = autopilot.chain(chart).collect();
-        alerts.sort_by_key(|standing| standing.alert.definition().priority);
+        alerts.sort_by_key(|standing| standing.rank());
         alerts
     }
 

@@ -331,7 +331,7 @@ impl Rig {
     pub(crate) fn text(&self, alert: Alert) -> String {
         let standing = self.autopilot.alerts().standing();
         let found = standing.iter().find(|standing| standing.alert == alert);
-        found.map_or(String::new(), |standing| standing.text().to_string())
+        found.map_or(String::new(), |standing| self.autopilot.text_of(standing))
     }
 
     pub(crate) fn last_htd(&self) -> &Htd {

@@ -45,6 +45,26 @@ fn a_lost_heading_freezes_the_order_until_the_operator_ends_it() {
     }
 }
 
+// TCS-8: an alarm that was taken does not go on saying that AUTO steers.
+#[test]
+fn track_fail_says_what_steers_now() {
+    let mut rig = Rig::tracking();
+    rig.run(10.0);
+    rig.silence(Profile::Ecdis, "");
+    rig.until("TRACK FAIL", 6.2, |rig| rig.raised(Alert::TrackFail));
+    let says = |rig: &Rig, steering: &str| {
+        let text = rig.text(Alert::TrackFail);
+        assert_eq!(text, format!("HTC missing: {steering}"));
+    };
+    says(&rig, "AUTO steers, SWITCH TO AUTO");
+    rig.command(Order::Acknowledge(101)).unwrap();
+    rig.silence(Profile::Gyro1, "");
+    rig.until("RUDDER HOLD", 3.0, |rig| rig.mode() == ModeName::RudderHold);
+    says(&rig, "rudder held, steer by hand");
+    rig.command(Order::Mode(ModeRequest::Standby)).unwrap();
+    says(&rig, "STANDBY, steer by hand");
+}
+
 // FA8
 #[test]
 fn a_jump_of_the_gyro_is_never_followed() {
