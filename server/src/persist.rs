@@ -6,7 +6,7 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
-use wheelover_core::settings::Settings;
+use wheelover_core::settings::{Settings, Value};
 
 /// Where the settings of a configuration are kept: `wheelover.toml` has `wheelover.settings.toml`.
 #[must_use]
@@ -17,7 +17,7 @@ pub fn beside(config: &Path) -> PathBuf {
 /// Writes settings as they change, in a thread of its own.
 #[derive(Debug)]
 pub struct Keeper {
-    sender: Sender<(String, f64)>,
+    sender: Sender<(String, Value)>,
 }
 
 impl Keeper {
@@ -35,12 +35,12 @@ impl Keeper {
     }
 
     /// Keeps one; never waits.
-    pub fn keep(&self, key: String, value: f64) {
+    pub fn keep(&self, key: String, value: Value) {
         let _ = self.sender.send((key, value));
     }
 }
 
-fn run(path: &Path, changes: &Receiver<(String, f64)>) {
+fn run(path: &Path, changes: &Receiver<(String, Value)>) {
     let mut values = read(path).unwrap_or_default();
     while let Ok((key, value)) = changes.recv() {
         values.insert(key, value);
@@ -59,14 +59,14 @@ pub fn restore(path: &Path, settings: &mut Settings) -> Vec<String> {
     };
     let mut cautions = Vec::new();
     for (key, value) in values {
-        if let Err(text) = settings.set(&key, value) {
+        if let Err(text) = settings.set(&key, &value) {
             cautions.push(format!("{}: {text}", path.display()));
         }
     }
     cautions
 }
 
-fn read(path: &Path) -> Result<BTreeMap<String, f64>, String> {
+fn read(path: &Path) -> Result<BTreeMap<String, Value>, String> {
     match fs::read_to_string(path) {
         Ok(text) => toml::from_str(&text)
             .map_err(|error| format!("{}: {}", path.display(), error.message())),
@@ -75,8 +75,18 @@ fn read(path: &Path) -> Result<BTreeMap<String, f64>, String> {
     }
 }
 
+/// A value as TOML.
+pub(crate) fn written(value: &Value) -> String {
+    match value {
+        Value::Switch(on) => on.to_string(),
+        Value::Number(number) => format!("{number:?}"),
+        Value::Choice(name) => format!("\"{name}\""),
+        Value::Absent => "\"\"".to_owned(),
+    }
+}
+
 /// The whole file or nothing: written beside, brought to disk, then put in place.
-fn write(path: &Path, values: &BTreeMap<String, f64>) -> std::io::Result<()> {
+fn write(path: &Path, values: &BTreeMap<String, Value>) -> std::io::Result<()> {
     let beside = path.with_extension("tmp");
     let mut file = File::create(&beside)?;
     writeln!(
@@ -84,7 +94,7 @@ fn write(path: &Path, values: &BTreeMap<String, f64>) -> std::io::Result<()> {
         "# Settings changed on board; the program writes this file."
     )?;
     for (key, value) in values {
-        writeln!(file, "{key} = {value:?}")?;
+        writeln!(file, "{key} = {}", written(value))?;
     }
     file.sync_all()?;
     fs::rename(&beside, path)
@@ -101,8 +111,8 @@ mod tests {
         fs::create_dir_all(&folder).unwrap();
         let path = beside(&folder.join("w.toml"));
         let mut values = BTreeMap::new();
-        values.insert("rudder_limit".to_owned(), 12.0);
-        values.insert("no_such".to_owned(), 1.0);
+        values.insert("rudder_limit".to_owned(), Value::Number(12.0));
+        values.insert("no_such".to_owned(), Value::Number(1.0));
         write(&path, &values).unwrap();
         let mut settings = Settings::default();
         let cautions = restore(&path, &mut settings);

@@ -31,7 +31,7 @@ impl Autopilot {
         if self.mode.is_autonav() {
             return refuse("AutoNAV is active already");
         }
-        if self.settings.external_tcs < 0.5 {
+        if !self.settings.external_tcs {
             return refuse("AutoNAV is not enabled at installation");
         }
         if !matches!(self.mode, Mode::Auto { .. }) {
@@ -110,7 +110,7 @@ impl Autopilot {
     pub(super) fn commanded(&self) -> Option<Htc> {
         self.fresh(self.post.picture.htc.as_ref(), Quantity::Control)
             .map(|commanded| commanded.htc)
-            .filter(|htc| htc.status.is_some() || self.settings.accept_null_status >= 0.5)
+            .filter(|htc| htc.status.is_some() || self.settings.accept_null_status)
     }
 
     pub(super) fn wanted(&self, _now: Stamp) -> Option<Wanted> {

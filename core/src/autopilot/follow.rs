@@ -32,7 +32,7 @@ impl Autopilot {
             }
             return;
         }
-        if htc.status.is_none() && self.settings.accept_null_status < 0.5 {
+        if htc.status.is_none() && !self.settings.accept_null_status {
             // FA13
             self.commands.clear();
             self.why = "HTC refused: its status is null, which is not accepted here".into();

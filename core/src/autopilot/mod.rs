@@ -19,7 +19,7 @@ use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
 use crate::picture::Picture;
-use crate::settings::Settings;
+use crate::settings::{Settings, SteeringBy};
 use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Station};
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle};
@@ -196,7 +196,7 @@ impl Autopilot {
 
     /// What the mode asks of the steering; absent where no orders are computed.
     fn demand(&mut self, now: Stamp) -> Option<Demand> {
-        let own = if self.settings.set_by_radius >= 0.5 {
+        let own = if self.settings.steering_by == SteeringBy::Radius {
             TurnBy::Radius(crate::units::Radius::from_nm(self.settings.set_radius))
         } else {
             TurnBy::Rate(RateOfTurn::from_deg_per_min(self.settings.set_rate))

@@ -51,7 +51,7 @@ impl Autopilot {
                 Ok("silenced for 30 s".into())
             }
             Order::Setting { key, value } => {
-                self.settings.set(key, *value).map_err(Refusal)?;
+                self.settings.set(key, value).map_err(Refusal)?;
                 let ship = self.steering.settings_mut();
                 ship.slew = self.settings.rudder_slew;
                 ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);

@@ -8,6 +8,7 @@ use crate::nmea::{
     AcknowledgeState, AlarmCondition, Alr, CommandSource, DataStatus, Hdt, Htd, LimitStatus,
     OverrideStatus, Reference, Ror, Rsa, SteeringMode, TurnMode,
 };
+use crate::settings::SteeringBy;
 use crate::station::{Output, Profile};
 use crate::time::Stamp;
 use crate::units::RudderAngle;
@@ -170,7 +171,7 @@ impl Autopilot {
                 htd.steering_mode = Some(SteeringMode::StandAlone);
                 htd.turn_mode = Some(TurnMode::NotControlled);
                 htd.rudder_limit = Some(settings.rudder_limit);
-                if settings.set_by_radius >= 0.5 {
+                if settings.steering_by == SteeringBy::Radius {
                     htd.radius = Some(settings.set_radius);
                 } else {
                     htd.rate_of_turn = Some(settings.set_rate);

@@ -1,5 +1,6 @@
 //! What can be asked of the stations, and the answer: orders, refusals, answers.
 
+use crate::settings::Value;
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +45,7 @@ pub enum Order {
         /// Its name in the settings table.
         key: String,
         /// Its new value.
-        value: f64,
+        value: Value,
     },
 }
 

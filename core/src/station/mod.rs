@@ -4,6 +4,7 @@
 
 mod post;
 
+use crate::settings::Value;
 pub(crate) use post::{Post, Station, hear, time_out};
 
 use alloc::string::String;
@@ -121,6 +122,6 @@ pub enum Output {
         /// Its name in the settings table.
         key: String,
         /// Its value.
-        value: f64,
+        value: Value,
     },
 }

@@ -5,9 +5,11 @@ mod route;
 mod voyage;
 
 pub use crate::autopilot::ModeName;
+pub use crate::autopilot::steering::Terms;
 pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order};
 use crate::geo::Position;
 use crate::picture::Picture;
+pub use crate::settings::Value;
 use crate::station::PortSetup;
 pub use crate::voyage::Line;
 use alloc::string::String;
@@ -18,7 +20,7 @@ use serde::{Deserialize, Serialize};
 pub use voyage::{hello, ports_document, route_document, settings_document, snapshot};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 2;
+pub const PROTOCOL: u32 = 3;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -178,8 +180,8 @@ pub struct Own {
     pub cross_track: Option<f64>,
     /// Chosen source of each quantity: quantity, `port/talker/formatter`.
     pub sources: Vec<(String, String)>,
-    /// What moves the rudder, degrees: proportional, integral, rate, feed-forward.
-    pub terms: [f64; 4],
+    /// What moves the rudder; absent where no order is computed.
+    pub terms: Option<Terms>,
     /// The order is at its limit.
     pub limited: bool,
     /// Outputs to the steering gear are enabled.
@@ -308,7 +310,7 @@ pub struct SettingsDocument {
     /// Raised on every change.
     pub revision: u64,
     /// Name and value, in the order of the settings table.
-    pub values: Vec<(String, f64)>,
+    pub values: Vec<(String, Value)>,
 }
 
 /// State of the ports.

@@ -4,6 +4,7 @@ use super::{AlertView, ChartOwn, Own, Pending};
 use crate::alerts::Standing;
 use crate::autopilot::{Autopilot, Mode, ModeName};
 use crate::chart_system::ChartSystem;
+use crate::settings::SteeringBy;
 use crate::station::Profile;
 use crate::time::Stamp;
 use crate::units::{Distance, Heading, RudderAngle};
@@ -30,7 +31,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         hts: autopilot.hts().map(Heading::deg),
         set_rate: settings.set_rate,
         set_radius: settings.set_radius,
-        by_radius: settings.set_by_radius >= 0.5,
+        by_radius: settings.steering_by == SteeringBy::Radius,
         rudder_limit: if autopilot.mode().is_autonav() {
             settings.rudder_max
         } else {
@@ -41,7 +42,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
             .and_then(|steered| steered.cross_track)
             .map(Distance::m),
         sources: sources(autopilot, now),
-        terms: steered.map_or([0.0; 4], |steered| steered.terms),
+        terms: steered.map(|steered| steered.terms),
         limited: steered.is_some_and(|steered| steered.limited),
         output: autopilot
             .picture()

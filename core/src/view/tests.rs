@@ -57,7 +57,12 @@ fn messages() -> Vec<String> {
                 rudder_order: Some(-3.5),
                 cross_track: Some(12.5),
                 sources: vec![("heading".into(), "gyro1/HE/HDT".into())],
-                terms: [1.0, 0.5, -0.25, 4.0],
+                terms: Some(Terms {
+                    proportional: 1.0,
+                    integral: 0.5,
+                    rate: -0.25,
+                    feedforward: 4.0,
+                }),
                 limited: false,
                 output: true,
             }),
@@ -107,7 +112,12 @@ fn messages() -> Vec<String> {
         }),
         Down::Settings(SettingsDocument {
             revision: 1,
-            values: vec![("rudder_limit".into(), 20.0)],
+            values: vec![
+                ("rudder_limit".into(), Value::Number(20.0)),
+                ("external_tcs".into(), Value::Switch(true)),
+                ("steering_by".into(), Value::Choice("radius".into())),
+                ("gain_per_s".into(), Value::Absent),
+            ],
         }),
         Down::Ports(PortsDocument {
             revision: 1,
@@ -157,7 +167,7 @@ fn messages() -> Vec<String> {
         command(Order::Chart(ChartRequest::Track)),
         command(Order::Setting {
             key: "rudder_limit".into(),
-            value: 15.0,
+            value: Value::Number(15.0),
         }),
     ];
     let mut texts = vec![format!("protocol {PROTOCOL}")];

@@ -60,7 +60,7 @@ impl Voyage {
                     self.settings_revision += 1;
                     out.push(VoyageOutput::Persist {
                         key: key.clone(),
-                        value: *value,
+                        value: value.clone(),
                     });
                     out.push(VoyageOutput::Settings);
                 }

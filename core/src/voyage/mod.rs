@@ -17,6 +17,7 @@ use crate::chart_system::ChartSystem;
 use crate::command::{Answer, FaultKind, Order};
 use crate::picture::Picture;
 use crate::route::Route;
+use crate::settings::Value;
 use crate::station::{Input, Output, PortIndex};
 use crate::time::Stamp;
 use crate::world::World;
@@ -83,7 +84,7 @@ pub enum VoyageOutput {
         /// Name in the settings table.
         key: String,
         /// Value.
-        value: f64,
+        value: Value,
     },
     /// The route document has changed.
     Route,

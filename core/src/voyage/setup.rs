@@ -91,6 +91,7 @@ impl Voyage {
         let (start, heading) = route::embedded_start();
         let settings = Settings {
             rudder_slew: 5.0, // the Mariner's gear
+            external_tcs: true,
             ..Settings::default()
         };
         let config = VoyageConfig {

@@ -5,6 +5,7 @@ use std::cell::Cell;
 use std::rc::Rc;
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea::SteeringMode;
+use wheelover_core::settings::Value;
 use wheelover_core::station::Profile;
 use wheelover_core::view::{ChartRequest, ModeName, ModeRequest, Order};
 
@@ -150,7 +151,7 @@ fn override_ends_in_standby_at_once_and_does_not_resume() {
 /// Track control must not begin with this status in field 14, and must fail when it comes.
 fn never_acted_on(status: &'static str, accept_null: bool) {
     let key = "accept_null_status".to_string();
-    let value = f64::from(u8::from(accept_null));
+    let value = Value::Switch(accept_null);
     let setting = Order::Setting { key, value };
     let with_status = move |line: &str| {
         Some(if line.contains("HTC,") {

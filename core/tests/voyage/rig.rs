@@ -93,6 +93,7 @@ impl Rig {
         });
         let settings = Settings {
             rudder_slew: SLEW,
+            external_tcs: true,
             ..Settings::default()
         };
         let autopilot = Autopilot::new(

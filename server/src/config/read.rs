@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::net::SocketAddr;
 use std::path::Path;
 use toml::Spanned;
-use wheelover_core::settings::{Settings, TABLE};
+use wheelover_core::settings::{Settings, TABLE, Value, definition};
 
 /// The file as written.
 #[derive(Debug, Deserialize)]
@@ -19,7 +19,7 @@ struct Form {
     allow_output: bool,
     port: Vec<Spanned<PortForm>>,
     ship: Spanned<Ship>,
-    autopilot: BTreeMap<Spanned<String>, Spanned<f64>>,
+    autopilot: BTreeMap<Spanned<String>, Spanned<Value>>,
     route: Option<Spanned<route::Form>>,
 }
 
@@ -127,12 +127,12 @@ fn roles(written: Spanned<Vec<Role>>) -> Result<Vec<Role>, Mistake> {
 }
 
 fn settings(
-    written: BTreeMap<Spanned<String>, Spanned<f64>>,
+    written: BTreeMap<Spanned<String>, Spanned<Value>>,
     ship: &Spanned<Ship>,
 ) -> Result<Settings, Mistake> {
     let mut settings = Settings::default();
     for (key, value) in written {
-        if !TABLE.iter().any(|line| line.name == key.get_ref().as_str()) {
+        if definition(key.get_ref()).is_none() {
             let names: Vec<String> = TABLE
                 .iter()
                 .map(|line| format!("`{}`", line.name))
@@ -145,7 +145,7 @@ fn settings(
             return Err((key.span(), text));
         }
         settings
-            .set(key.get_ref(), *value.get_ref())
+            .set(key.get_ref(), value.get_ref())
             .map_err(|text| (value.span(), text))?;
     }
     let fixed = ship.get_ref();
@@ -155,7 +155,7 @@ fn settings(
     ] {
         if let Some(value) = value {
             settings
-                .set(name, value)
+                .set(name, &Value::Number(value))
                 .map_err(|text| (ship.span(), text))?;
         }
     }

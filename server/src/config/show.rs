@@ -1,8 +1,9 @@
 //! CFG-1: a configuration printed as it is in force, with every default.
 
 use super::{Config, Place, policy_name, profile_name};
+use crate::persist::written;
 use std::fmt::Write;
-use wheelover_core::settings::TABLE;
+use wheelover_core::settings::{Kind, TABLE, Value};
 
 /// The configuration as TOML that gives the same again.
 #[must_use]
@@ -44,16 +45,16 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
     ship(config, out)?;
     writeln!(out, "\n[autopilot]")?;
     for (line, (name, value)) in TABLE.iter().zip(config.settings.values()) {
-        let unit = if line.unit.is_empty() { "" } else { " " };
-        writeln!(
-            out,
-            "{:<26}# {} to {}{unit}{}: {}",
-            format!("{name} = {value:?}"),
-            line.min,
-            line.max,
-            line.unit,
-            line.help
-        )?;
+        let shown = match value {
+            Value::Absent => format!("# {name} ="),
+            _ => format!("{name} = {}", written(&value)),
+        };
+        let allowed = match line.kind {
+            Kind::Switch { .. } => "true or false".to_owned(),
+            Kind::Choice { names, .. } => names.join(" or "),
+            Kind::Number { unit, min, max, .. } => format!("{min} to {max} {unit}"),
+        };
+        writeln!(out, "{shown:<30}# {allowed}: {}", line.help)?;
     }
     route(config, out)
 }

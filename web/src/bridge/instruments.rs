@@ -5,6 +5,7 @@ use crate::reading::{Reading, Readings, state_name};
 use crate::value::{Badge, Shown, Value, shown};
 use crate::{format, gauge, gauge::Bar};
 use leptos::prelude::*;
+use wheelover_core::view;
 
 /// The right column.
 #[component]
@@ -257,23 +258,18 @@ fn Cell(
 #[component]
 fn Terms() -> impl IntoView {
     let deck = Deck::here();
-    let terms = Memo::new(move |_| {
-        deck.own.with(|own| {
-            let own = own.as_ref()?.own.as_ref()?;
-            own.rudder_order.map(|_| own.terms)
-        })
-    });
-    let part = move |index: usize, name: &'static str| {
-        let text = move || format::sided(terms.get().map(|terms| terms[index]), 1);
+    let terms = Memo::new(move |_| deck.own.with(|own| own.as_ref()?.own.as_ref()?.terms));
+    let part = move |name: &'static str, of: fn(view::Terms) -> f64| {
+        let text = move || format::sided(terms.get().map(of), 1);
         view! { <span><small>{name}</small>" "{text}</span> }
     };
     view! {
         <section class="terms">
             <span class="label">"ORDER ="</span>
-            {part(0, "heading")}
-            {part(2, "rate")}
-            {part(1, "bias")}
-            {part(3, "turn")}
+            {part("heading", |terms| terms.proportional)}
+            {part("rate", |terms| terms.rate)}
+            {part("bias", |terms| terms.integral)}
+            {part("turn", |terms| terms.feedforward)}
         </section>
     }
 }

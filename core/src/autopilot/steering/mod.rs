@@ -70,6 +70,19 @@ pub enum Demand {
     Track(Path),
 }
 
+/// What moves the rudder, degrees, starboard positive.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Terms {
+    /// By the heading error.
+    pub proportional: f64,
+    /// By what was learned of the bias.
+    pub integral: f64,
+    /// By the error of the rate of turn.
+    pub rate: f64,
+    /// By the ship's model, for the turn that is planned.
+    pub feedforward: f64,
+}
+
 /// A rudder order and why.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Steered {
@@ -81,8 +94,8 @@ pub struct Steered {
     pub rate_reference: RateOfTurn,
     /// Cross-track distance from the path, ship right of it positive.
     pub cross_track: Option<Distance>,
-    /// Degrees of rudder: proportional, integral, rate, feed-forward.
-    pub terms: [f64; 4],
+    /// What the order is made of.
+    pub terms: Terms,
     /// The order is at its limit.
     pub limited: bool,
 }
@@ -230,13 +243,12 @@ impl Steering {
             hts: Heading::from_rad(self.reference.heading),
             rate_reference: RateOfTurn::from_rad_per_s(self.reference.rate),
             cross_track,
-            terms: [
-                terms.proportional,
-                terms.integral,
-                terms.rate,
-                terms.feedforward,
-            ]
-            .map(f64::to_degrees),
+            terms: Terms {
+                proportional: terms.proportional.to_degrees(),
+                integral: terms.integral.to_degrees(),
+                rate: terms.rate.to_degrees(),
+                feedforward: terms.feedforward.to_degrees(),
+            },
             limited: order.limited,
         }
     }

@@ -1,0 +1,212 @@
+//! Every parameter of the autopilot: name, kind, range, default, who may change it, where it acts, help. One table.
+//!
+//! **Invariant:** settings in force are within their ranges and agree with each other, however they were changed.
+
+mod value;
+
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use serde::{Deserialize, Serialize};
+use value::Slot;
+pub use value::{Group, Kind, Role, SteeringBy, Value};
+
+/// One line of the settings table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Definition {
+    /// Name in commands and in the configuration.
+    pub name: &'static str,
+    /// What it may be.
+    pub kind: Kind,
+    /// Who may change it.
+    pub role: Role,
+    /// Where it acts.
+    pub group: Group,
+    /// What it does.
+    pub help: &'static str,
+}
+
+macro_rules! kind {
+    (type switch) => { bool };
+    (type choice) => { SteeringBy };
+    (type number) => { f64 };
+    (type given) => { Option<f64> };
+    (default switch $default:literal) => { $default };
+    (default choice $default:ident) => { SteeringBy::$default };
+    (default number $unit:literal, $min:literal ..= $max:literal, $decimals:literal, $default:literal) => { $default };
+    (default given $unit:literal, $min:literal ..= $max:literal, $decimals:literal) => { None };
+    (row switch $default:literal) => { Kind::Switch { default: $default } };
+    (row choice Radius) => { Kind::Choice { names: SteeringBy::NAMES, default: "radius" } };
+    (row number $unit:literal, $min:literal ..= $max:literal, $decimals:literal, $default:literal) => {
+        Kind::Number { unit: $unit, min: $min, max: $max, decimals: $decimals, default: Some($default) }
+    };
+    (row given $unit:literal, $min:literal ..= $max:literal, $decimals:literal) => {
+        Kind::Number { unit: $unit, min: $min, max: $max, decimals: $decimals, default: None }
+    };
+}
+
+macro_rules! settings {
+    ($($name:ident: $kind:ident($($args:tt)*), $role:ident, $group:ident, $help:literal;)*) => {
+        /// The parameters in force.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        pub struct Settings {
+            $(#[doc = $help] pub $name: kind!(type $kind),)*
+        }
+        /// The settings table.
+        pub const TABLE: &[Definition] = &[$(Definition {
+            name: stringify!($name), kind: kind!(row $kind $($args)*), role: Role::$role, group: Group::$group, help: $help,
+        },)*];
+        impl Default for Settings {
+            fn default() -> Self {
+                Self { $($name: kind!(default $kind $($args)*),)* }
+            }
+        }
+        impl Settings {
+            fn slot(&mut self, name: &str) -> Option<&mut dyn Slot> {
+                match name {
+                    $(stringify!($name) => Some(&mut self.$name),)*
+                    _ => None,
+                }
+            }
+            /// Names and values, in the order of the table.
+            #[must_use]
+            pub fn values(&self) -> Vec<(String, Value)> {
+                alloc::vec![$((stringify!($name).to_string(), self.$name.value()),)*]
+            }
+        }
+    };
+}
+
+settings! {
+    accept_null_status: switch(true), Engineer, ChartSystem, "An HTC whose status (field 14) is null commands; HTC 14.";
+    centre_tolerance: number("m", 10.0 ..= 500.0, 0, 60.0), Engineer, ChartSystem, "A radius centre that is off the leg and the radius by more is refused.";
+    cruise_speed: number("kn", 1.0 ..= 40.0, 1, 12.0), Operator, SetValues, "Speed used for the gains while no speed is measured.";
+    external_tcs: switch(false), Engineer, ChartSystem, "AutoNAV is enabled at installation; AP-6.";
+    forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";
+    gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
+    heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
+    leg_tolerance: number("m", 20.0 ..= 1000.0, 0, 100.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
+    length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
+    off_heading_limit: number("deg", 2.0 ..= 60.0, 0, 20.0), Operator, Rudder, "Off-heading limit; AP-5.";
+    off_track_limit: number("m", 20.0 ..= 1000.0, 0, 185.0), Operator, ChartSystem, "Off-track alarm in track control where HTC gives no limit of its own.";
+    position_jump: number("m", 10.0 ..= 200.0, 0, 40.0), Engineer, Sensors, "A position off the dead reckoning by more is not used; FA9.";
+    rudder_limit: number("deg", 2.0 ..= 35.0, 0, 20.0), Operator, Rudder, "Rudder limit of AUTO; not used in AutoNAV (AP-8).";
+    rudder_max: number("deg", 10.0 ..= 45.0, 0, 35.0), Engineer, Rudder, "Maximum rudder angle of the gear.";
+    rudder_slew: number("deg/s", 0.5 ..= 20.0, 1, 2.3), Engineer, Rudder, "Fastest change of the rudder order; AP-15.";
+    set_radius: number("nm", 0.05 ..= 10.0, 2, 0.5), Operator, SetValues, "Radius of AUTO's turns; not used in AutoNAV.";
+    set_rate: number("deg/min", 1.0 ..= 300.0, 0, 28.0), Operator, SetValues, "Rate of turn of AUTO's turns; not used in AutoNAV.";
+    speed_kn: given("kn", 1.0 ..= 40.0, 1), Engineer, Ship, "Speed at which gain and time constant hold; AP-20.";
+    steady_turn_0: given("rad", -0.2 ..= 0.2, 4), Engineer, Ship, "Steady turn, rudder over r' = r L / U: the constant; AP-20.";
+    steady_turn_1: given("rad", -5.0 ..= 5.0, 4), Engineer, Ship, "Steady turn: factor of r'; AP-20.";
+    steady_turn_3: given("rad", -500.0 ..= 500.0, 3), Engineer, Ship, "Steady turn: factor of r' to the third; AP-20.";
+    steady_turn_5: given("rad", -5000.0 ..= 5000.0, 2), Engineer, Ship, "Steady turn: factor of r' to the fifth; AP-20.";
+    steering_by: choice(Radius), Operator, SetValues, "AUTO turns by the set radius or by the set rate of turn; AP-1.";
+    step_hz: number("Hz", 5.0 ..= 20.0, 0, 10.0), Engineer, Rudder, "Control steps a second; AP-15.";
+    time_constant_s: given("s", 1.0 ..= 1000.0, 1), Engineer, Ship, "Nomoto time constant T at speed_kn; AP-20.";
+    track_caution: number("s", 1.0 ..= 10.0, 1, 3.0), Engineer, ChartSystem, "Age of the chart system's sentences at which a caution is raised; TCS-8.";
+    track_fail: number("s", 2.0 ..= 30.0, 1, 5.0), Engineer, ChartSystem, "Age at which TRACK FAIL is raised; TCS-8.";
+}
+
+/// The line of a setting.
+#[must_use]
+pub fn definition(name: &str) -> Option<&'static Definition> {
+    TABLE.iter().find(|definition| definition.name == name)
+}
+
+impl Settings {
+    /// Changes one parameter: the one check for a configuration, a kept file and a change at run time.
+    ///
+    /// # Errors
+    /// The reason where the name is unknown, the value is not allowed, or does not agree with another setting;
+    /// nothing is changed then.
+    pub fn set(&mut self, name: &str, value: &Value) -> Result<(), String> {
+        let Some(definition) = definition(name) else {
+            return Err(format!("no setting is named {name}"));
+        };
+        let mut changed = self.clone();
+        if let Some(slot) = changed.slot(name) {
+            slot.put(&definition.kind, value)
+                .map_err(|allowed| format!("{name} is {value}, {allowed}"))?;
+        }
+        changed.agree()?;
+        *self = changed;
+        Ok(())
+    }
+
+    /// What must hold between settings.
+    fn agree(&self) -> Result<(), String> {
+        if self.track_caution >= self.track_fail {
+            return Err(format!(
+                "track_caution ({} s) must be below track_fail ({} s)",
+                self.track_caution, self.track_fail
+            ));
+        }
+        if self.rudder_limit > self.rudder_max {
+            return Err(format!(
+                "rudder_limit ({} deg) must not be above rudder_max ({} deg)",
+                self.rudder_limit, self.rudder_max
+            ));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_default_is_allowed() {
+        let mut settings = Settings::default();
+        for (line, (name, value)) in TABLE.iter().zip(Settings::default().values()) {
+            assert_eq!(line.name, name);
+            assert_eq!(settings.set(&name, &value), Ok(()), "{name}");
+        }
+        assert_eq!(settings, Settings::default());
+    }
+
+    #[test]
+    fn a_value_outside_its_range_is_refused_with_the_range() {
+        let check = |name: &str, value: Value, expect: &str| {
+            let mut settings = Settings::default();
+            assert_eq!(settings.set(name, &value).unwrap_err(), expect);
+            assert_eq!(settings, Settings::default());
+        };
+        let number = Value::Number;
+        check(
+            "rudder_limit",
+            number(99.0),
+            "rudder_limit is 99, allowed are 2 to 35 deg",
+        );
+        check(
+            "rudder_limit",
+            number(f64::NAN),
+            "rudder_limit is NaN, allowed are 2 to 35 deg",
+        );
+        check(
+            "rudder_limit",
+            Value::Switch(true),
+            "rudder_limit is on, allowed are 2 to 35 deg",
+        );
+        check("rudder", number(1.0), "no setting is named rudder");
+        check(
+            "external_tcs",
+            number(0.5),
+            "external_tcs is 0.5, allowed are true and false",
+        );
+        check(
+            "steering_by",
+            Value::Choice("sail".into()),
+            "steering_by is sail, allowed are radius, rate",
+        );
+    }
+
+    #[test]
+    fn settings_that_contradict_each_other_are_refused_whichever_is_changed() {
+        let mut settings = Settings::default();
+        assert!(settings.set("track_fail", &Value::Number(2.5)).is_err());
+        assert!(settings.set("track_caution", &Value::Number(6.0)).is_err());
+        assert!(settings.set("rudder_max", &Value::Number(15.0)).is_err());
+        assert_eq!(settings, Settings::default());
+    }
+}

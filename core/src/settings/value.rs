@@ -1,0 +1,179 @@
+//! What a setting may be: a switch, a choice or a number with unit, range and decimals.
+
+use alloc::format;
+use alloc::string::{String, ToString};
+use serde::{Deserialize, Serialize};
+
+/// A setting's value as it is written, stored and sent: `true`, `12.5`, `"radius"`; null where a number is not given.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// Of a switch.
+    Switch(bool),
+    /// Of a number, in the unit of its definition.
+    Number(f64),
+    /// Of a choice.
+    Choice(String),
+    /// A number that is not given.
+    Absent,
+}
+
+impl core::fmt::Display for Value {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Switch(on) => f.write_str(if *on { "on" } else { "off" }),
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Choice(name) => f.write_str(name),
+            Self::Absent => f.write_str("not given"),
+        }
+    }
+}
+
+/// What a setting may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// On or off.
+    Switch {
+        /// Without a configuration.
+        default: bool,
+    },
+    /// One of these names.
+    Choice {
+        /// What may be chosen.
+        names: &'static [&'static str],
+        /// Without a configuration.
+        default: &'static str,
+    },
+    /// A number.
+    Number {
+        /// Unit.
+        unit: &'static str,
+        /// Lowest value allowed.
+        min: f64,
+        /// Highest value allowed.
+        max: f64,
+        /// Decimals shown.
+        decimals: u8,
+        /// Without a configuration; none where it is then not given.
+        default: Option<f64>,
+    },
+}
+
+/// Who may change a setting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Whoever steers.
+    Operator,
+    /// Whoever installs and commissions.
+    Engineer,
+}
+
+/// Where a setting acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Group {
+    /// What the chart system may command, and how it is supervised.
+    ChartSystem,
+    /// What AUTO is set to.
+    SetValues,
+    /// Rudder and control step.
+    Rudder,
+    /// Limits of what is believed.
+    Sensors,
+    /// The ship's own constants (AP-20).
+    Ship,
+}
+
+/// How AUTO turns (AP-1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SteeringBy {
+    /// By the set radius.
+    Radius,
+    /// By the set rate of turn.
+    Rate,
+}
+
+impl SteeringBy {
+    pub(super) const NAMES: &'static [&'static str] = &["radius", "rate"];
+}
+
+/// A place in the settings that holds one value.
+pub(super) trait Slot {
+    fn value(&self) -> Value;
+    /// Takes a value, or says what is allowed.
+    fn put(&mut self, kind: &Kind, value: &Value) -> Result<(), String>;
+}
+
+impl Slot for bool {
+    fn value(&self) -> Value {
+        Value::Switch(*self)
+    }
+
+    fn put(&mut self, _: &Kind, value: &Value) -> Result<(), String> {
+        *self = match value {
+            Value::Switch(on) => *on,
+            // Files of earlier versions wrote switches as numbers.
+            Value::Number(number) if *number == 0.0 || *number == 1.0 => *number == 1.0,
+            _ => return Err("allowed are true and false".into()),
+        };
+        Ok(())
+    }
+}
+
+impl Slot for f64 {
+    fn value(&self) -> Value {
+        Value::Number(*self)
+    }
+
+    fn put(&mut self, kind: &Kind, value: &Value) -> Result<(), String> {
+        *self = number(kind, value)?;
+        Ok(())
+    }
+}
+
+impl Slot for Option<f64> {
+    fn value(&self) -> Value {
+        self.map_or(Value::Absent, Value::Number)
+    }
+
+    fn put(&mut self, kind: &Kind, value: &Value) -> Result<(), String> {
+        *self = match value {
+            Value::Absent => None,
+            _ => Some(number(kind, value)?),
+        };
+        Ok(())
+    }
+}
+
+impl Slot for SteeringBy {
+    fn value(&self) -> Value {
+        let name = match self {
+            Self::Radius => "radius",
+            Self::Rate => "rate",
+        };
+        Value::Choice(name.to_string())
+    }
+
+    fn put(&mut self, _: &Kind, value: &Value) -> Result<(), String> {
+        *self = match value {
+            Value::Choice(name) if name == "radius" => Self::Radius,
+            Value::Choice(name) if name == "rate" => Self::Rate,
+            _ => return Err(format!("allowed are {}", Self::NAMES.join(", "))),
+        };
+        Ok(())
+    }
+}
+
+fn number(kind: &Kind, value: &Value) -> Result<f64, String> {
+    let Kind::Number { unit, min, max, .. } = kind else {
+        return Err("is no number".into());
+    };
+    match value {
+        Value::Number(number) if (*min..=*max).contains(number) => Ok(*number),
+        _ => Err(format!("allowed are {min} to {max} {unit}")
+            .trim_end()
+            .to_string()),
+    }
+}
