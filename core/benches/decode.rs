@@ -108,7 +108,7 @@ fn main() {
             add(sentence.fields.get(5), fill_bits.into());
         } else if let Some(gathered) = gatherer.push(Stamp(0), &sentence) {
             let (payload, fill_bits) = gathered.payload();
-            add(payload.as_bytes(), fill_bits);
+            add(payload, fill_bits);
         }
         black_box(sum);
     });

@@ -16,7 +16,7 @@ fn data(file: &str) -> String {
 }
 
 /// The message that the last of some sentences completes, and that line's JSON object.
-fn message(sentences: &[&str]) -> (Gathered, Json) {
+fn message(sentences: &[&str]) -> (Gathered<'static>, Json) {
     let mut gatherer = Gatherer::new();
     let (last, before) = sentences.split_last().expect("a sentence");
     for line in before {
@@ -33,7 +33,7 @@ fn message(sentences: &[&str]) -> (Gathered, Json) {
     let text = json_line(1, None, &sentence).text_with(&message);
     let json: Json = serde_json::from_str(&text).expect("JSON");
     let message_json = json.get("message").cloned().expect("a message");
-    (message, message_json)
+    (message.into_owned(), message_json)
 }
 
 /// Equal; numbers to a fraction of the finest step of a position.
@@ -45,7 +45,7 @@ fn same(found: &Json, expected: &Json) -> bool {
 }
 
 /// Checks a file of blocks; gives the messages.
-fn check(file: &str) -> Vec<Gathered> {
+fn check(file: &str) -> Vec<Gathered<'static>> {
     let text = data(file);
     let mut messages = Vec::new();
     let mut differ = String::new();

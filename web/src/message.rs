@@ -5,7 +5,7 @@ use crate::format;
 use wheelover_core::nmea::ais::{Entry, Gathered, Value};
 
 /// Draws every field of the message with name, value, unit and meaning, and what is wrong with it.
-pub(crate) fn draw(drawing: &mut Drawing, gathered: &Gathered) {
+pub(crate) fn draw(drawing: &mut Drawing, gathered: &Gathered<'_>) {
     let (messages, mut faults) = gathered.messages();
     for message in &messages {
         drawing

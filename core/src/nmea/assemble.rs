@@ -67,6 +67,8 @@ const MOST_MESSAGES: usize = 16;
 const MOST_BYTES: usize = 32 * 1024;
 const MOST_PARTS: u32 = 99;
 const OLDEST_MS: u64 = 10_000;
+/// Bytes of the fields that tell messages apart; more do not count.
+const LONGEST_KEY: usize = 64;
 
 /// Joins the sentences of one port.
 ///
@@ -91,7 +93,10 @@ pub struct Assembler {
 struct Open {
     key: String,
     total: u32,
-    lines: Vec<String>,
+    /// How many parts are there.
+    parts: u32,
+    /// Their lines, ISO 8859-1, each with a line end.
+    text: String,
     began: Stamp,
 }
 
@@ -111,12 +116,7 @@ impl Assembler {
     /// Bytes of memory that are held, with what the lists have in reserve (FB7).
     #[must_use]
     pub fn held(&self) -> usize {
-        let one = |open: &Open| {
-            size_of::<Open>()
-                + open.key.capacity()
-                + open.lines.capacity() * size_of::<String>()
-                + open.lines.iter().map(String::capacity).sum::<usize>()
-        };
+        let one = |open: &Open| size_of::<Open>() + open.key.capacity() + open.text.capacity();
         self.open.iter().map(one).sum()
     }
 
@@ -135,31 +135,34 @@ impl Assembler {
             at.map(|at| self.open.remove(at));
             return None;
         }
-        let line = latin1(sentence.text);
         if part.number == 1 {
             at.map(|at| self.open.remove(at));
             if part.total == 1 {
-                return join(&[line]);
+                return join(&latin1(sentence.text), 1);
             }
-            let lines = alloc::vec![line];
+            let mut text = latin1(sentence.text);
+            text.push('\n');
             self.open.push(Open {
                 key: part.key,
                 total: part.total,
-                lines,
+                parts: 1,
+                text,
                 began: now,
             });
             self.bound();
             return None;
         }
         let open = self.open.get_mut(at?)?;
-        if open.total != part.total || open.lines.len() as u32 + 1 != part.number {
+        if open.total != part.total || open.parts + 1 != part.number {
             self.open.remove(at?);
             return None;
         }
-        open.lines.push(line);
+        open.parts += 1;
+        open.text.push_str(&latin1(sentence.text));
+        open.text.push('\n');
         if part.number == part.total {
             let open = self.open.remove(at?);
-            return join(&open.lines);
+            return join(&open.text, open.parts);
         }
         self.bound();
         None
@@ -183,11 +186,12 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
         _ => return None,
     };
     let radix = if sentence.formatter == "TTD" { 16 } else { 10 };
-    let number = |n: usize| {
-        let text = core::str::from_utf8(sentence.fields.get(n)).ok()?;
-        u32::from_str_radix(text, radix).ok()
+    let number = |n: usize| match sentence.fields.get(n) {
+        [digit @ b'0'..=b'9'] => Some(u32::from(digit - b'0')),
+        text => u32::from_str_radix(core::str::from_utf8(text).ok()?, radix).ok(),
     };
-    let mut key = String::from(sentence.address());
+    let mut key = String::with_capacity(LONGEST_KEY);
+    key.push_str(sentence.address());
     for &mark in marks {
         key.push(',');
         key.extend(
@@ -201,7 +205,9 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
     if sentence.formatter == "GSV" && sentence.fields.len().is_multiple_of(4) {
         key.push_str(&latin1(sentence.fields.get(sentence.fields.len())));
     }
-    key.truncate(key.char_indices().nth(64).map_or(key.len(), |(at, _)| at));
+    if key.len() > LONGEST_KEY {
+        key.truncate(key.floor_char_boundary(LONGEST_KEY));
+    }
     Some(Part {
         key,
         total: number(1).unwrap_or(0),
@@ -209,12 +215,22 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
     })
 }
 
-fn join(lines: &[String]) -> Option<Message> {
-    let raw: Vec<Vec<u8>> = lines
-        .iter()
-        .map(|line| line.chars().map(|c| u32::from(c) as u8).collect())
-        .collect();
-    let sentences: Vec<Sentence<'_>> = raw.iter().map(|line| decode(line)).collect();
+/// The message in some lines.
+fn join(text: &str, parts: u32) -> Option<Message> {
+    let latin1: Vec<u8>;
+    let bytes = if text.is_ascii() {
+        text.as_bytes()
+    } else {
+        latin1 = text.chars().map(|c| u32::from(c) as u8).collect();
+        &latin1
+    };
+    let mut sentences: Vec<Sentence<'_>> = Vec::with_capacity(parts as usize);
+    sentences.extend(
+        bytes
+            .split(|&byte| byte == b'\n')
+            .filter(|line| !line.is_empty())
+            .map(decode),
+    );
     let first = sentences.first()?;
     Some(match first.formatter {
         "ALF" => Message::Alert {
@@ -283,11 +299,12 @@ fn number(sentence: &Sentence<'_>, field: usize) -> Option<u32> {
 
 /// What a field of all sentences says together.
 fn payload(sentences: &[Sentence<'_>], field: usize) -> String {
-    sentences
-        .iter()
-        .flat_map(|sentence| sentence.fields.get(field))
-        .map(|&byte| char::from(byte))
-        .collect()
+    let mut payload = String::with_capacity(sentences.len() * 62);
+    for sentence in sentences {
+        // Six-bit characters, or the sentence would have a fault.
+        payload.push_str(core::str::from_utf8(sentence.fields.get(field)).unwrap_or(""));
+    }
+    payload
 }
 
 fn fill_bits(sentences: &[Sentence<'_>], field: usize) -> u32 {

@@ -364,5 +364,8 @@ impl<'a> Sentence<'a> {
 /// Bytes of a line as text: ISO 8859-1.
 #[must_use]
 pub fn latin1(bytes: &[u8]) -> String {
-    bytes.iter().map(|&b| char::from(b)).collect()
+    match core::str::from_utf8(bytes) {
+        Ok(text) if text.is_ascii() => text.into(),
+        _ => bytes.iter().map(|&b| char::from(b)).collect(),
+    }
 }

@@ -18,7 +18,7 @@ pub(super) fn table(
     number: u64,
     at: Option<f64>,
     sentence: &Sentence<'_>,
-    message: Option<&Gathered>,
+    message: Option<&Gathered<'_>>,
     colour: bool,
 ) -> io::Result<()> {
     let paint = |code: &'static str| if colour { code } else { "" };
@@ -101,7 +101,7 @@ pub(super) fn table(
 /// The message that a line completes (CLI-2).
 fn message_table(
     out: &mut dyn Write,
-    gathered: &Gathered,
+    gathered: &Gathered<'_>,
     paint: impl Fn(&'static str) -> &'static str,
 ) -> io::Result<()> {
     let (messages, mut faults) = gathered.messages();

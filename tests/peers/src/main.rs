@@ -1,14 +1,16 @@
-//! Wheelover's decoder beside nmea-0183-rs 0.9.6 in one run: one core, processor time, files of 10^6 lines from a seeded generator,
-//! every field typed, every checksum verified, both in every one of 9 rounds.
+//! Wheelover's decoder beside nmea-0183-rs 0.9.6, and with AIS beside `ais` 0.12.0 too, in one run: one core, processor time, files from
+//! a seeded generator, every field typed, every checksum verified, all in every one of 9 rounds.
 
+mod ais;
 mod lines;
+mod race;
 
 use nmea_0183_rs::{NmeaSentence, parse_frame};
+use race::{ROUNDS, Race, now, race, split};
 use std::hint::black_box;
 use wheelover_core::nmea::{self, Value};
 
 const LINES: usize = 1_000_000;
-const ROUNDS: usize = 9;
 const AGAIN: usize = 200;
 
 fn file(one: fn(&mut lines::Random) -> String) -> String {
@@ -21,46 +23,7 @@ fn file(one: fn(&mut lines::Random) -> String) -> String {
     text
 }
 
-/// Processor time of this thread in seconds, so that a busy machine does not count.
-fn now() -> f64 {
-    let clock = nix::time::ClockId::CLOCK_THREAD_CPUTIME_ID;
-    let time = nix::time::clock_gettime(clock).expect("a clock of the thread");
-    time.tv_sec() as f64 + time.tv_nsec() as f64 / 1e9
-}
-
-/// What a race showed.
-struct Race {
-    /// Best of the rounds in millions of lines a second: the rival's and ours.
-    best: [f64; 2],
-    /// Median over the rounds of ours to the rival's, each round's two measured right after each other.
-    ratio: f64,
-    /// Lines each gave typed.
-    typed: [usize; 2],
-}
-
-/// Runs both in every round, so that a machine that is slow for a while is slow for both.
-fn race(count: usize, mut rival: impl FnMut() -> usize, mut ours: impl FnMut() -> usize) -> Race {
-    let mut best = [f64::INFINITY; 2];
-    let mut ratios = Vec::with_capacity(ROUNDS);
-    let mut typed = [0; 2];
-    for _ in 0..ROUNDS {
-        let start = now();
-        typed[0] = rival();
-        let middle = now();
-        typed[1] = ours();
-        let times = [middle - start, now() - middle];
-        ratios.push(times[0] / times[1]);
-        best = [best[0].min(times[0]), best[1].min(times[1])];
-    }
-    ratios.sort_by(f64::total_cmp);
-    Race {
-        best: best.map(|time| count as f64 / time / 1e6),
-        ratio: ratios[ROUNDS / 2],
-        typed,
-    }
-}
-
-impl Race {
+impl Race<2> {
     fn print(&self, name: &str, note: &str) {
         let [rival, ours] = self.best;
         println!(
@@ -83,16 +46,6 @@ fn use_value(value: &Value<'_>) -> u64 {
         Value::Text(text) => text.len() as u64,
         Value::Null | Value::Invalid => 0,
     }
-}
-
-/// The lines of a file, the same way for both.
-fn split(text: &str) -> impl Iterator<Item = &str> {
-    let mut start = 0;
-    memchr::memchr_iter(b'\n', text.as_bytes()).filter_map(move |end| {
-        let line = text.get(start..end);
-        start = end + 1;
-        line
-    })
 }
 
 fn ours(text: &str) -> usize {
@@ -130,7 +83,7 @@ fn rival(text: &str) -> usize {
     typed
 }
 
-fn encode(text: &str) -> Race {
+fn encode(text: &str) -> Race<2> {
     let part: Vec<&str> = text.lines().take(500).collect();
     let frames: Vec<_> = part
         .iter()
@@ -146,28 +99,58 @@ fn encode(text: &str) -> Race {
     // A part that stays in the cache, again and again.
     race(
         part.len() * AGAIN,
-        || {
-            let mut sum = 0;
-            for sentence in theirs.iter().cycle().take(theirs.len() * AGAIN) {
-                sum += sentence
-                    .to_sentence("GP")
-                    .map_or(0, |line| black_box(line).len());
-            }
-            sum
-        },
-        || {
-            let mut sum = 0;
-            for values in values.iter().cycle().take(values.len() * AGAIN) {
-                out.clear();
-                values.write(&mut out);
-                sum += black_box(&out).len();
-            }
-            sum
-        },
+        [
+            &mut || {
+                let mut sum = 0;
+                for sentence in theirs.iter().cycle().take(theirs.len() * AGAIN) {
+                    sum += sentence
+                        .to_sentence("GP")
+                        .map_or(0, |line| black_box(line).len());
+                }
+                sum
+            },
+            &mut || {
+                let mut sum = 0;
+                for values in values.iter().cycle().take(values.len() * AGAIN) {
+                    out.clear();
+                    values.write(&mut out);
+                    sum += black_box(&out).len();
+                }
+                sum
+            },
+        ],
     )
 }
 
+/// Races named on the command line, or all.
 fn main() {
+    let named: Vec<String> = std::env::args().skip(1).collect();
+    let runs = |name: &str| named.is_empty() || named.iter().any(|n| n == name);
+    let mut slow = false;
+    slow |= runs("sentences") && sentences();
+    slow |= runs("ais") && radio();
+    if slow {
+        println!("slower than asked for");
+        std::process::exit(1);
+    }
+}
+
+/// The race of AIS decoders; says whether we are too slow.
+fn radio() -> bool {
+    let (radio, share) = ais::run();
+    for (n, name) in ais::NAMES.iter().enumerate() {
+        let (rate, share) = (radio.best[n], share[n]);
+        println!("ais      {rate:>8.2} {name:<14} typed: {share:.1} % of the messages");
+    }
+    println!(
+        "ais      {:>8.2} median of the rounds' ratios, ours to the best of the others",
+        radio.ratio
+    );
+    radio.ratio < 2.0
+}
+
+/// The races of decoders and encoders of sentences; says whether we are too slow.
+fn sentences() -> bool {
     println!(
         "{:<8} {:>8} {:>8} {:>6} {:>7}   M lines a second, best of {ROUNDS}; median of the rounds' ratios",
         "", "rival", "ours", "ratio", "median"
@@ -180,7 +163,7 @@ fn main() {
     let mut slow = false;
     for (name, one) in files {
         let text = file(one);
-        let decoding = race(LINES, || rival(&text), || ours(&text));
+        let decoding = race(LINES, [&mut || rival(&text), &mut || ours(&text)]);
         let [theirs, typed] = decoding.typed.map(|n| n as f64 / LINES as f64 * 100.0);
         let note = format!("decode, typed: rival {theirs:.1} %, ours {typed:.1} %");
         decoding.print(name, &note);
@@ -205,8 +188,5 @@ fn main() {
         );
         slow |= rate < 1.0;
     }
-    if slow {
-        println!("slower than asked for");
-        std::process::exit(1);
-    }
+    slow
 }

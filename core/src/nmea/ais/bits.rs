@@ -2,13 +2,13 @@
 
 use alloc::string::String;
 
-/// Words of the buffer; the last one stays zero, so that a field may end anywhere.
-const WORDS: usize = 19;
+/// Bytes of the buffer; the last ones stay zero, so that eight may be read from where the last field begins.
+const BYTES: usize = Bits::MOST / 8 + 8;
 
 /// Bits of a message, the first one first. The longest message (26) has 1064.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bits {
-    words: [u64; WORDS],
+    bytes: [u8; BYTES],
     length: usize,
 }
 
@@ -21,11 +21,11 @@ pub(super) struct NoArmour {
 
 impl Bits {
     /// More bits than this are never held.
-    pub const MOST: usize = (WORDS - 1) * 64;
+    pub const MOST: usize = 18 * 64;
 
     pub(super) const fn new() -> Self {
         Self {
-            words: [0; WORDS],
+            bytes: [0; BYTES],
             length: 0,
         }
     }
@@ -42,36 +42,47 @@ impl Bits {
         self.length == 0
     }
 
-    /// The bits of armoured characters, as far as there is room. Stops at a character that is none.
-    pub(super) fn from_armour(payload: &[u8]) -> (Self, Option<NoArmour>) {
-        let mut bits = Self::new();
+    /// Takes the bits of armoured characters into an empty buffer, as far as there is room. Stops at a character that is none.
+    #[inline]
+    pub(super) fn fill(&mut self, payload: &[u8]) -> Option<NoArmour> {
         let room = &payload[..payload.len().min(Self::MOST / 6)];
         let (eights, rest) = room.as_chunks::<8>();
+        let mut right = true;
+        // Eight characters are six bytes; the two zeros behind them are overwritten by the next ones.
         for (n, eight) in eights.iter().enumerate() {
-            let raw = u64::from_be_bytes(*eight);
-            let Some(packed) = pack(raw) else {
-                return bits.up_to_fault(payload, n * 8);
-            };
-            bits.put_wide(packed, 48);
+            right &= self.put_eight(n, u64::from_be_bytes(*eight));
         }
-        for (n, &byte) in rest.iter().enumerate() {
-            let Some(value) = six(byte) else {
-                return bits.up_to_fault(payload, eights.len() * 8 + n);
-            };
-            bits.put(u32::from(value), 6);
+        if !rest.is_empty() {
+            right &= self.put_eight(eights.len(), filled_up(room, rest.len()));
         }
-        (bits, None)
+        if !right {
+            return self.up_to_fault(room);
+        }
+        self.length = room.len() * 6;
+        None
+    }
+
+    /// The eight characters with index `n`; says whether they are armour.
+    #[inline(always)]
+    fn put_eight(&mut self, n: usize, raw: u64) -> bool {
+        let (packed, right) = pack(raw);
+        if let Some(place) = self.bytes.get_mut(n * 6..n * 6 + 8) {
+            place.copy_from_slice(&(packed << 16).to_be_bytes());
+        }
+        right
     }
 
     #[cold]
-    fn up_to_fault(mut self, payload: &[u8], from: usize) -> (Self, Option<NoArmour>) {
-        for (n, &byte) in payload[from..].iter().enumerate() {
+    #[inline(never)]
+    fn up_to_fault(&mut self, payload: &[u8]) -> Option<NoArmour> {
+        *self = Self::new();
+        for (at, &byte) in payload.iter().enumerate() {
             match six(byte) {
                 Some(value) => self.put(u32::from(value), 6),
-                None => return (self, Some(NoArmour { at: from + n, byte })),
+                None => return Some(NoArmour { at, byte }),
             }
         }
-        (self, None)
+        None
     }
 
     /// The armoured characters, and how many bits of the last one do not count.
@@ -90,50 +101,67 @@ impl Bits {
     pub(super) fn drop_last(&mut self, count: usize) {
         let length = self.length.saturating_sub(count);
         for at in length..self.length {
-            self.words[at / 64] &= !(1 << (63 - at % 64));
+            self.bytes[at / 8] &= !(0x80 >> (at % 8));
         }
         self.length = length;
     }
 
     /// Whether there were fewer than `at + width`.
+    #[inline(always)]
     pub(super) const fn lacks(&self, at: usize, width: usize) -> bool {
         at + width > self.length
     }
 
-    /// The unsigned number of `width` bits (1 to 32) from bit `at` on; zeros stand behind the end.
-    #[inline]
+    /// At least 57 bits from bit `at` on, the first one on top; zeros stand behind the end.
+    #[inline(always)]
+    pub(super) fn window(&self, at: usize) -> u64 {
+        match self.bytes.get(at / 8..).and_then(<[u8]>::first_chunk) {
+            Some(bytes) => u64::from_be_bytes(*bytes) << (at % 8),
+            None => 0,
+        }
+    }
+
+    /// The unsigned number of `width` bits (1 to 32) from bit `at` on.
+    #[inline(always)]
     pub(super) fn get(&self, at: usize, width: usize) -> u32 {
-        let (word, shift) = (at / 64, at % 64);
-        let first = self.words.get(word).copied().unwrap_or(0) << shift;
-        let second = self.words.get(word + 1).copied().unwrap_or(0);
-        let both = first | (second >> 1) >> (63 - shift);
-        (both >> (64 - width)) as u32
+        (self.window(at) >> ((64 - width) & 63)) as u32
     }
 
     /// The same as a number in two's complement.
-    #[inline]
+    #[inline(always)]
     pub(super) fn get_signed(&self, at: usize, width: usize) -> i32 {
-        let up = 32 - width;
-        ((self.get(at, width) << up) as i32) >> up
+        (self.window(at) as i64 >> ((64 - width) & 63)) as i32
     }
 
     /// Adds the last `width` bits (1 to 32) of a number, as far as there is room.
     pub(super) fn put(&mut self, value: u32, width: usize) {
-        self.put_wide(u64::from(value), width);
-    }
-
-    #[inline]
-    fn put_wide(&mut self, value: u64, width: usize) {
         if self.length + width > Self::MOST {
             return;
         }
-        let value = value << (64 - width);
-        let (word, shift) = (self.length / 64, self.length % 64);
-        self.words[word] |= value >> shift;
-        self.words[word + 1] |= (value << 1) << (63 - shift);
+        let value = u64::from(value) << (64 - width) >> (self.length % 8);
+        let bytes = self.bytes[self.length / 8..].iter_mut();
+        bytes
+            .zip(value.to_be_bytes())
+            .for_each(|(byte, more)| *byte |= more);
         self.length += width;
     }
 }
+
+/// The last `length` (1 to 7) of some characters, filled up to eight with those of the value 0.
+#[inline(always)]
+fn filled_up(characters: &[u8], length: usize) -> u64 {
+    let raw = match characters.last_chunk::<8>() {
+        Some(last) => u64::from_be_bytes(*last),
+        None => characters
+            .iter()
+            .fold(0, |raw, &byte| raw << 8 | u64::from(byte)),
+    };
+    raw << ((64 - length * 8) & 63) | ZEROS >> ((length * 8) & 63)
+}
+
+const ONES: u64 = 0x0101_0101_0101_0101;
+/// Eight characters of the value 0.
+const ZEROS: u64 = b'0' as u64 * ONES;
 
 /// The value of an armoured character.
 const fn six(byte: u8) -> Option<u8> {
@@ -144,23 +172,23 @@ const fn six(byte: u8) -> Option<u8> {
     }
 }
 
-/// Eight characters at once, the first one on top; none where one of them is no armour.
-#[inline]
-fn pack(raw: u64) -> Option<u64> {
-    const ONES: u64 = 0x0101_0101_0101_0101;
+/// Eight characters at once, the first one on top, in 48 bits; whether all of them are armour.
+#[inline(always)]
+const fn pack(raw: u64) -> (u64, bool) {
     const TOP: u64 = 0x80 * ONES;
     // The top bit of each byte says whether it is at least so much; all bytes are below 128.
-    let at_least = |least: u64| (raw | TOP).wrapping_sub(least * ONES) & TOP;
-    let low = at_least(0x30) & !at_least(0x58);
-    let high = at_least(0x60) & !at_least(0x78);
-    if raw & TOP != 0 || low | high != TOP {
-        return None;
+    const fn at_least(raw: u64, least: u64) -> u64 {
+        (raw | TOP).wrapping_sub(least * ONES) & TOP
     }
+    let low = at_least(raw, 0x30) & !at_least(raw, 0x58);
+    let high = at_least(raw, 0x60) & !at_least(raw, 0x78);
+    let right = raw & TOP == 0 && low | high == TOP;
     // High ones are 8 further on.
-    let six = raw - 0x30 * ONES - (high >> 4);
+    let six = raw.wrapping_sub(ZEROS).wrapping_sub(high >> 4);
     let pairs = (six & 0x003F_003F_003F_003F) | (six & 0x3F00_3F00_3F00_3F00) >> 2;
     let fours = (pairs & 0x0000_0FFF_0000_0FFF) | (pairs & 0x0FFF_0000_0FFF_0000) >> 4;
-    Some((fours & 0xFF_FFFF) | (fours & 0x00FF_FFFF_0000_0000) >> 8)
+    let packed = (fours & 0xFF_FFFF) | (fours & 0x00FF_FFFF_0000_0000) >> 8;
+    (packed, right)
 }
 
 #[cfg(test)]
@@ -173,7 +201,8 @@ mod tests {
             for place in 0..9 {
                 let mut text = *b"15RTgt0PA";
                 text[place] = byte;
-                let (bits, fault) = Bits::from_armour(&text);
+                let mut bits = Bits::new();
+                let fault = bits.fill(&text);
                 if six(byte).is_some() {
                     assert_eq!(fault, None);
                     assert_eq!(bits.armour().0.as_bytes(), text);

@@ -101,8 +101,8 @@ impl Draft {
     #[must_use]
     pub fn of(message: &RadioMessage<'_>) -> Self {
         let mut draft = Self::new(message.kind().unwrap_or(0));
-        message.walk(
-            |entry| {
+        message.visit(
+            &mut |entry| {
                 if entry.name() != "type" {
                     let value = Input::from(entry.value);
                     draft.values.push((entry.name().into(), entry.entry, value));

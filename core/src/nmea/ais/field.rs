@@ -84,6 +84,7 @@ pub(in crate::nmea) enum Kind {
 /// How a number is coded.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::nmea) struct Scale {
+    /// Whether it is coded in two's complement.
     pub(super) signed: bool,
     /// Steps to the unit.
     pub(in crate::nmea) divisor: i32,
@@ -134,68 +135,50 @@ impl Scale {
         self
     }
 
-    fn value(&self, raw: i32) -> f64 {
-        if self.divisor < 600 {
-            return f64::from(raw) / f64::from(self.divisor);
+    /// What a coded value is worth in the unit.
+    #[inline(always)]
+    pub(super) fn value(&self, raw: i32) -> f64 {
+        // A division by a constant costs a fraction.
+        match self.divisor {
+            10 => f64::from(raw) / 10.0,
+            600_000 => degrees::<600_000>(raw),
+            600 => degrees::<600>(raw),
+            divisor => f64::from(raw) / f64::from(divisor),
         }
-        // Degrees to the seventh decimal, a centimetre.
-        let (raw, divisor) = (i64::from(raw) * 10_000_000, i64::from(self.divisor));
-        let half = if raw < 0 { -divisor / 2 } else { divisor / 2 };
-        ((raw + half) / divisor) as f64 / 1e7
     }
 }
 
-/// Rate of turn in degrees a minute, to a tenth.
-pub(super) fn rate_of_turn(raw: i32) -> f64 {
-    let root = f64::from(raw) / 4.733;
-    libm::copysign(libm::round(root * root * 10.0) / 10.0, root)
+/// Degrees to the seventh decimal, a centimetre.
+#[inline(always)]
+fn degrees<const STEPS: i64>(raw: i32) -> f64 {
+    let raw = i64::from(raw) * 10_000_000;
+    let half = if raw < 0 { -STEPS / 2 } else { STEPS / 2 };
+    ((raw + half) / STEPS) as f64 / 1e7
 }
+
+/// Rate of turn in degrees a minute, to a tenth: the square of a 4.733th of the coded value.
+#[inline]
+pub(super) fn rate_of_turn(raw: i32) -> f64 {
+    let tenths = TENTHS[raw.unsigned_abs() as usize & 127];
+    let rate = f64::from(tenths) / 10.0;
+    if raw < 0 { -rate } else { rate }
+}
+
+/// Tenths of a degree a minute of each coded value; 4.733 is squared in whole millionths.
+static TENTHS: [u16; 128] = {
+    let mut tenths = [0; 128];
+    let mut raw = 0u64;
+    while raw < 128 {
+        tenths[raw as usize] = ((raw * raw * 10_000_000 + 22_401_289 / 2) / 22_401_289) as u16;
+        raw += 1;
+    }
+    tenths
+};
 
 /// The value of a rate of turn without indicator: more than 5 degrees in 30 seconds.
 pub(super) const NO_INDICATOR: f64 = 10.0;
 
 impl Field {
-    /// What stands in it; the second says that no such value is allowed. It is there with all its bits.
-    #[inline]
-    pub(super) fn read<'m>(&self, bits: &'m Bits, at: usize) -> (Value<'m>, bool) {
-        let value = match &self.kind {
-            Kind::Number(scale) => {
-                let raw = if scale.signed {
-                    bits.get_signed(at, self.width)
-                } else {
-                    bits.get(at, self.width) as i32
-                };
-                if raw == scale.none || raw == scale.none_too {
-                    Value::Null
-                } else if raw == scale.top {
-                    Value::AtLeast(scale.value(raw))
-                } else if raw < scale.low || raw > scale.high {
-                    return (Value::Null, true);
-                } else if scale.divisor == 1 {
-                    Value::Integer(i64::from(raw + scale.plus))
-                } else {
-                    Value::Number(scale.value(raw))
-                }
-            }
-            Kind::Code(none, _) => match bits.get(at, self.width) as i32 {
-                raw if raw == *none => Value::Null,
-                raw => Value::Integer(i64::from(raw)),
-            },
-            Kind::Flag => Value::Flag(bits.get(at, 1) == 1),
-            Kind::Text => {
-                SixBitText::read(bits, at, self.width / 6).map_or(Value::Null, Value::Text)
-            }
-            Kind::Turn => match bits.get_signed(at, 8) {
-                -128 => Value::Null,
-                raw @ (127 | -127) => Value::AtLeast(NO_INDICATOR * f64::from(raw.signum())),
-                raw @ (126 | -126) => Value::AtLeast(rate_of_turn(raw)),
-                raw => Value::Number(rate_of_turn(raw)),
-            },
-            Kind::Binary(_) | Kind::Spare => Value::Null,
-        };
-        (value, false)
-    }
-
     /// What stands in it where the message may end before it does.
     pub(super) fn read_rest<'m>(&self, bits: &'m Bits, at: usize) -> Value<'m> {
         let rest = bits.len().saturating_sub(at);
@@ -224,6 +207,35 @@ impl Field {
             Kind::Number(scale) => scale.unit,
             Kind::Turn => Unit::DegreesPerMinute,
             _ => Unit::None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rates_of_turn_are_the_square_of_the_root_to_a_tenth() {
+        for raw in -127..=127 {
+            let root = f64::from(raw) / 4.733;
+            let rate = libm::round(root * root * 10.0) / 10.0;
+            assert_eq!(rate_of_turn(raw), if raw < 0 { -rate } else { rate });
+        }
+    }
+
+    #[test]
+    fn positions_are_rounded_to_the_seventh_decimal() {
+        for (steps, raw, degrees) in [
+            (600_000, 1, 0.000_001_7),
+            (600_000, -1, -0.000_001_7),
+            (600_000, 108_000_000, 180.0),
+            (600_000, -53_999_999, -89.999_998_3),
+            (600, 1, 0.001_666_7),
+            (600, -107_999, -179.998_333_3),
+        ] {
+            let scale = Scale::new(steps, -108_000_000, 108_000_000, Unit::Degrees);
+            assert_eq!(scale.value(raw), degrees, "{raw}/{steps}");
         }
     }
 }

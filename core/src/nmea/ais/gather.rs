@@ -5,7 +5,7 @@ use super::message::RadioMessage;
 use super::tables::{APPROACH, TARGET};
 use crate::nmea::{Assembler, Checksum, Message, Sentence};
 use crate::time::Stamp;
-use alloc::string::String;
+use alloc::borrow::Cow;
 use alloc::vec::Vec;
 
 /// Joins the sentences of one port to messages.
@@ -14,13 +14,13 @@ pub struct Gatherer {
     assembler: Assembler,
 }
 
-/// What the sentences of a message carry.
+/// What the sentences of a message carry. The data of a single sentence are borrowed from its line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Gathered {
+pub enum Gathered<'a> {
     /// A message as it was on the radio (VDM), or as own station sent it (VDO).
     Radio {
         /// Six-bit armoured characters.
-        payload: String,
+        payload: Cow<'a, [u8]>,
         /// Bits of the last one that do not count.
         fill_bits: u32,
     },
@@ -31,17 +31,26 @@ pub enum Gathered {
         /// Number of the radio message.
         number: u8,
         /// Six-bit armoured characters.
-        payload: String,
+        payload: Cow<'a, [u8]>,
         /// Bits of the last one that do not count.
         fill_bits: u32,
     },
     /// Tracked targets (TTD).
     Targets {
         /// Six-bit armoured characters.
-        payload: String,
+        payload: Cow<'a, [u8]>,
         /// Bits of the last one that do not count.
         fill_bits: u32,
     },
+}
+
+/// The sentences that carry messages.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Carrier {
+    Radio,
+    Addressed,
+    Broadcast,
+    Targets,
 }
 
 impl Gatherer {
@@ -52,17 +61,26 @@ impl Gatherer {
     }
 
     /// Takes a sentence; gives the message that it completes. A sentence with a wrong checksum gives none.
-    pub fn push(&mut self, now: Stamp, sentence: &Sentence<'_>) -> Option<Gathered> {
-        if !matches!(sentence.formatter, "VDM" | "VDO" | "ABM" | "BBM" | "TTD") {
-            return None;
-        }
-        if number(sentence, 1) == Some(1) && number(sentence, 2) == Some(1) {
-            return single(sentence);
+    pub fn push<'a>(&mut self, now: Stamp, sentence: &Sentence<'a>) -> Option<Gathered<'a>> {
+        let carrier = match sentence.formatter {
+            "VDM" | "VDO" => Carrier::Radio,
+            "ABM" => Carrier::Addressed,
+            "BBM" => Carrier::Broadcast,
+            "TTD" => Carrier::Targets,
+            _ => return None,
+        };
+        let mut fields = sentence.fields.cursor();
+        let mut next = || fields.part().text();
+        if number(next()) == Some(1) && number(next()) == Some(1) {
+            return single(carrier, sentence.checksum, next);
         }
         match self.assembler.push(now, sentence)? {
             Message::Radio {
                 payload, fill_bits, ..
-            } => Some(Gathered::Radio { payload, fill_bits }),
+            } => Some(Gathered::Radio {
+                payload: Cow::Owned(payload.into_bytes()),
+                fill_bits,
+            }),
             Message::ToSend {
                 destination,
                 number,
@@ -71,64 +89,68 @@ impl Gatherer {
             } => Some(Gathered::ToSend {
                 destination,
                 number: number?,
-                payload,
+                payload: Cow::Owned(payload.into_bytes()),
                 fill_bits,
             }),
-            Message::Targets { payload, fill_bits } => {
-                Some(Gathered::Targets { payload, fill_bits })
-            }
+            Message::Targets { payload, fill_bits } => Some(Gathered::Targets {
+                payload: Cow::Owned(payload.into_bytes()),
+                fill_bits,
+            }),
             _ => None,
         }
     }
 }
 
-fn number(sentence: &Sentence<'_>, field: usize) -> Option<u32> {
-    core::str::from_utf8(sentence.fields.get(field))
-        .ok()?
-        .parse()
-        .ok()
+fn number(field: &[u8]) -> Option<u32> {
+    match field {
+        [digit @ b'0'..=b'9'] => Some(u32::from(digit - b'0')),
+        _ => core::str::from_utf8(field).ok()?.parse().ok(),
+    }
 }
 
-/// The message of one sentence, with its faults.
-fn single(sentence: &Sentence<'_>) -> Option<Gathered> {
-    if matches!(sentence.checksum, Checksum::Wrong { .. }) {
+/// The message of one sentence, with its faults; `next` gives its fields from the third on.
+fn single<'a>(
+    carrier: Carrier,
+    checksum: Checksum,
+    mut next: impl FnMut() -> &'a [u8],
+) -> Option<Gathered<'a>> {
+    if matches!(checksum, Checksum::Wrong { .. }) {
         return None;
     }
-    // Which fields are payload and fill bits.
-    let (payload, fill) = match sentence.formatter {
-        "ABM" => (7, 8),
-        "BBM" => (6, 7),
-        "TTD" => (4, 5),
-        _ => (5, 6),
+    let _sequence = next();
+    let destination = match carrier {
+        Carrier::Addressed => number(next()),
+        _ => None,
     };
-    let payload = crate::nmea::explain::latin1(sentence.fields.get(payload));
-    let fill_bits = match sentence.fields.get(fill) {
+    if carrier != Carrier::Targets {
+        let _channel = next();
+    }
+    let message = match carrier {
+        Carrier::Addressed | Carrier::Broadcast => Some(u8::try_from(number(next())?).ok()?),
+        _ => None,
+    };
+    let payload = Cow::Borrowed(next());
+    let fill_bits = match next() {
         [] => 0,
         // What is no number is a fault of its field, and of the message.
-        _ => number(sentence, fill).unwrap_or(u32::MAX),
+        field => number(field).unwrap_or(u32::MAX),
     };
-    Some(match sentence.formatter {
-        "ABM" => Gathered::ToSend {
-            destination: number(sentence, 4),
-            number: number(sentence, 6).and_then(|n| u8::try_from(n).ok())?,
+    Some(match (carrier, message) {
+        (Carrier::Targets, _) => Gathered::Targets { payload, fill_bits },
+        (_, Some(number)) => Gathered::ToSend {
+            destination,
+            number,
             payload,
             fill_bits,
         },
-        "BBM" => Gathered::ToSend {
-            destination: None,
-            number: number(sentence, 5).and_then(|n| u8::try_from(n).ok())?,
-            payload,
-            fill_bits,
-        },
-        "TTD" => Gathered::Targets { payload, fill_bits },
         _ => Gathered::Radio { payload, fill_bits },
     })
 }
 
-impl Gathered {
+impl Gathered<'_> {
     /// Its armoured characters and fill bits.
     #[must_use]
-    pub fn payload(&self) -> (&str, u32) {
+    pub fn payload(&self) -> (&[u8], u32) {
         match self {
             Self::Radio { payload, fill_bits }
             | Self::ToSend {
@@ -138,29 +160,66 @@ impl Gathered {
         }
     }
 
-    /// The messages in it: one, or one a target; and what is wrong besides their own faults.
+    /// The same, with data of its own.
+    #[must_use]
+    pub fn into_owned(self) -> Gathered<'static> {
+        let own = |payload: Cow<'_, [u8]>| Cow::Owned(payload.into_owned());
+        match self {
+            Self::Radio { payload, fill_bits } => Gathered::Radio {
+                payload: own(payload),
+                fill_bits,
+            },
+            Self::ToSend {
+                destination,
+                number,
+                payload,
+                fill_bits,
+            } => Gathered::ToSend {
+                destination,
+                number,
+                payload: own(payload),
+                fill_bits,
+            },
+            Self::Targets { payload, fill_bits } => Gathered::Targets {
+                payload: own(payload),
+                fill_bits,
+            },
+        }
+    }
+
+    /// Gives the messages in it to `sink`, one, or one a target; and what is wrong besides their own faults to `faults`.
+    #[inline]
+    pub fn each<'s>(
+        &'s self,
+        mut sink: impl FnMut(&RadioMessage<'s>),
+        faults: &mut Vec<MessageFault>,
+    ) {
+        let (payload, fill_bits) = self.payload();
+        match self {
+            Self::Radio { .. } => sink(&RadioMessage::decode(payload, fill_bits)),
+            Self::ToSend { number, .. } => {
+                sink(&RadioMessage::contents(*number, payload, fill_bits));
+            }
+            Self::Targets { .. } => targets(payload, fill_bits, &mut sink, faults),
+        }
+    }
+
+    /// The messages in it, and what is wrong besides their own faults.
     #[must_use]
     pub fn messages(&self) -> (Vec<RadioMessage<'_>>, Vec<MessageFault>) {
-        let (payload, fill_bits) = self.payload();
-        let payload = payload.as_bytes();
-        match self {
-            Self::Radio { .. } => (
-                alloc::vec![RadioMessage::decode(payload, fill_bits)],
-                Vec::new(),
-            ),
-            Self::ToSend { number, .. } => (
-                alloc::vec![RadioMessage::contents(*number, payload, fill_bits)],
-                Vec::new(),
-            ),
-            Self::Targets { .. } => targets(payload, fill_bits),
-        }
+        let (mut messages, mut faults) = (Vec::new(), Vec::new());
+        self.each(|message| messages.push(message.clone()), &mut faults);
+        (messages, faults)
     }
 }
 
 /// The targets of a TTD. Each is a whole number of characters: 15 for a target, 7 for its closest approach.
-fn targets(payload: &[u8], fill_bits: u32) -> (Vec<RadioMessage<'_>>, Vec<MessageFault>) {
-    let mut targets = Vec::new();
-    let mut faults = Vec::new();
+fn targets<'s>(
+    payload: &'s [u8],
+    fill_bits: u32,
+    sink: &mut dyn FnMut(&RadioMessage<'s>),
+    faults: &mut Vec<MessageFault>,
+) {
     let mut fault = |kind| faults.push(MessageFault { field: None, kind });
     if fill_bits > 5 {
         fault(MessageFaultKind::BadFillBits(fill_bits));
@@ -191,11 +250,10 @@ fn targets(payload: &[u8], fill_bits: u32) -> (Vec<RadioMessage<'_>>, Vec<Messag
             break;
         }
         let (target, behind) = rest.split_at(length);
-        targets.push(RadioMessage::target(target, layout));
+        sink(&RadioMessage::target(target, layout));
         rest = behind;
     }
     if payload.is_empty() {
         fault(MessageFaultKind::Empty);
     }
-    (targets, faults)
 }

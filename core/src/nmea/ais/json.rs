@@ -5,12 +5,13 @@ use super::gather::Gathered;
 use super::message::{Entry, RadioMessage};
 use super::value::Value;
 use crate::nmea::JsonLine;
+use crate::nmea::explain::latin1;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 
-impl Serialize for Gathered {
+impl Serialize for Gathered<'_> {
     /// One object: the fields of the message by their names, or a list of targets; payload and faults behind them.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (messages, mut faults) = self.messages();
@@ -40,7 +41,7 @@ impl Serialize for Gathered {
             .iter()
             .for_each(|message| faults.extend(message.faults()));
         let (payload, fill_bits) = self.payload();
-        map.serialize_entry("payload", payload)?;
+        map.serialize_entry("payload", &latin1(payload))?;
         map.serialize_entry("fill_bits", &fill_bits)?;
         map.serialize_entry("faults", &faults)?;
         map.end()
@@ -140,7 +141,7 @@ fn field<M: SerializeMap>(entry: &Entry<'_>, map: &mut M) -> Result<(), M::Error
 impl JsonLine {
     /// As text without a line end, with the message that the line completes.
     #[must_use]
-    pub fn text_with(&self, message: &Gathered) -> String {
+    pub fn text_with(&self, message: &Gathered<'_>) -> String {
         let mut text = self.text();
         if text.pop().is_some() {
             text.push_str(",\"message\":");

@@ -90,28 +90,26 @@ impl<'p> RadioMessage<'p> {
         message
     }
 
+    #[inline(always)]
     fn open(payload: &'p [u8], fill_bits: u32) -> Self {
-        let (mut bits, no_armour) = Bits::from_armour(payload);
-        let mut fault = None;
-        if let Some(NoArmour { at, byte }) = no_armour {
-            fault = Some(MessageFaultKind::BadCharacter {
-                place: at + 1,
-                byte,
-            });
-        } else if fill_bits > 5 {
-            fault = Some(MessageFaultKind::BadFillBits(fill_bits));
-        } else if payload.len() * 6 <= Bits::MOST {
-            bits.drop_last(fill_bits as usize);
-        }
-        Self {
+        let mut message = Self {
             payload,
             fill_bits,
-            bits,
+            bits: Bits::new(),
             kind: None,
             title: None,
             items: [&[], &[]],
-            fault,
+            fault: None,
+        };
+        if let Some(NoArmour { at, byte }) = message.bits.fill(payload) {
+            let place = at + 1;
+            message.fault = Some(MessageFaultKind::BadCharacter { place, byte });
+        } else if fill_bits > 5 {
+            message.fault = Some(MessageFaultKind::BadFillBits(fill_bits));
+        } else if payload.len() * 6 <= Bits::MOST {
+            message.bits.drop_last(fill_bits as usize);
         }
+        message
     }
 
     fn lay_out(&mut self, title: &'static str, items: &'static [Item], least: usize, most: usize) {
@@ -172,10 +170,28 @@ impl<'p> RadioMessage<'p> {
     /// Gives every field to `sink`, in the order of the message, and what is wrong to `faults`.
     #[inline]
     pub fn walk<'m>(&'m self, mut sink: impl FnMut(Entry<'m>), faults: &mut Vec<MessageFault>) {
+        self.walk_by(&mut sink, faults);
+    }
+
+    /// As [`Self::walk`], in one copy for all callers that are not pressed for time.
+    pub(super) fn visit<'m>(
+        &'m self,
+        sink: &mut dyn FnMut(Entry<'m>),
+        faults: &mut Vec<MessageFault>,
+    ) {
+        self.walk_by(sink, faults);
+    }
+
+    #[inline]
+    fn walk_by<'m, F: FnMut(Entry<'m>) + ?Sized>(
+        &'m self,
+        sink: &mut F,
+        faults: &mut Vec<MessageFault>,
+    ) {
         if let Some(kind) = self.fault {
             faults.push(MessageFault { field: None, kind });
         }
-        let mut walk = Walk::new(&self.bits, &mut sink, faults);
+        let mut walk = Walk::new(&self.bits, sink, faults);
         walk.items(self.items[0]);
         walk.items(self.items[1]);
     }
@@ -184,8 +200,8 @@ impl<'p> RadioMessage<'p> {
     #[must_use]
     pub fn field(&self, name: &str) -> Value<'_> {
         let mut found = None;
-        self.walk(
-            |entry| {
+        self.visit(
+            &mut |entry| {
                 if found.is_none() && entry.name() == name {
                     found = Some(entry.value);
                 }
@@ -199,7 +215,7 @@ impl<'p> RadioMessage<'p> {
     #[must_use]
     pub fn entries(&self) -> Vec<Entry<'_>> {
         let mut entries = Vec::with_capacity(32);
-        self.walk(|entry| entries.push(entry), &mut Vec::new());
+        self.visit(&mut |entry| entries.push(entry), &mut Vec::new());
         entries
     }
 
@@ -207,7 +223,7 @@ impl<'p> RadioMessage<'p> {
     #[must_use]
     pub fn faults(&self) -> Vec<MessageFault> {
         let mut faults = Vec::new();
-        self.walk(|_| {}, &mut faults);
+        self.visit(&mut |_| {}, &mut faults);
         faults
     }
 }
