@@ -8,7 +8,7 @@
 
 mod control;
 mod current;
-mod heard;
+mod position;
 mod sentences;
 mod sight;
 mod watch;
@@ -18,7 +18,7 @@ use crate::nmea::Sentence;
 use crate::picture::Picture;
 use crate::route::{Progress, Route};
 use crate::station::{
-    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Station,
+    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station,
 };
 use crate::time::Stamp;
 use crate::units::{Distance, Speed};
@@ -26,7 +26,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use control::Control;
 use current::Current;
-use heard::Heard;
+use position::PositionGuard;
 use serde::{Deserialize, Serialize};
 use watch::Watch;
 
@@ -91,7 +91,7 @@ pub struct ChartSystem {
     route: Option<Route>,
     revision: u64,
     post: Post,
-    heard: Heard,
+    guard: PositionGuard,
     current: Current,
     progress: Option<Progress>,
     /// Forwarding distance before the next turn; fixed a minute before the wheel-over line.
@@ -109,8 +109,8 @@ impl ChartSystem {
     #[must_use]
     pub fn new(config: ChartConfig) -> Self {
         let mut system = Self {
-            post: Post::new(config.ports.clone()),
-            heard: Heard::default(),
+            post: Post::new(Role::ChartSystem, config.ports.clone()),
+            guard: PositionGuard::default(),
             current: Current::default(),
             progress: None,
             forwarding: Distance::default(),
@@ -158,7 +158,10 @@ impl ChartSystem {
         self.run(now, out);
         match input {
             Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
-            Input::Stalled { .. } => self.heard.forget_all(),
+            Input::Stalled { .. } => {
+                self.post.stalled(now);
+                self.guard.forget();
+            }
             Input::Tick => {}
         }
     }
@@ -273,9 +276,8 @@ impl Station for ChartSystem {
         &mut self.post
     }
 
-    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
-        let profile = self.post.ports()[port].profile;
-        self.heard.take(now, profile, sentence);
+    fn heard(&mut self, now: Stamp, _port: PortIndex, _sentence: &Sentence<'_>) {
+        self.judge_fix(now);
     }
 }
 

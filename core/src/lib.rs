@@ -11,8 +11,8 @@ pub mod autopilot;
 pub mod chart_system;
 pub mod command;
 pub mod conformance;
+pub mod facts;
 pub mod geo;
-pub mod limits;
 pub mod nmea;
 pub mod picture;
 pub mod recording;
@@ -25,3 +25,5 @@ pub mod units;
 pub mod view;
 pub mod voyage;
 pub mod world;
+
+pub use facts::limits;

@@ -8,10 +8,13 @@
 
 mod fold;
 
+use crate::facts::facts;
+use crate::facts::known::OfPicture;
+use crate::facts::ports::rank;
 use crate::geo::Position;
 use crate::limits::{Freshness, Quantity, freshness};
-use crate::nmea::{Htc, Htd, Pney1, Pney2, Xte};
-use crate::station::{PortIndex, PortSetup, Profile};
+use crate::nmea::{Htc, Htd, ModeIndicator, Pney1, Pney2, Sentence, Xte, decode_knowing};
+use crate::station::{PortIndex, PortSetup, Role};
 use crate::time::Stamp;
 use crate::units::{Course, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::format;
@@ -47,6 +50,16 @@ pub struct Heard<T> {
 }
 
 impl<T> Heard<T> {
+    /// A value just heard.
+    pub(crate) const fn new(value: T, at: Stamp, source: Source) -> Self {
+        Self {
+            value,
+            at,
+            refused: None,
+            source,
+        }
+    }
+
     /// How the value may be used at `now`.
     #[must_use]
     pub fn freshness(&self, quantity: Quantity, now: Stamp) -> Freshness {
@@ -71,8 +84,18 @@ impl<T> Heard<T> {
 pub struct Fix {
     /// Place.
     pub position: Position,
+    /// How it was found; always a valid mode.
+    pub mode: ModeIndicator,
+    /// Its time, seconds after midnight UTC.
+    pub utc: Option<f64>,
+}
+
+impl Fix {
     /// Differential, precise or real-time kinematic (AP-7).
-    pub corrected: bool,
+    #[must_use]
+    pub fn corrected(&self) -> bool {
+        self.mode.valid() && self.mode != ModeIndicator::Autonomous
+    }
 }
 
 /// Course and speed over ground.
@@ -82,6 +105,8 @@ pub struct Ground {
     pub course: Option<Course>,
     /// Speed.
     pub speed: Speed,
+    /// How it was found; always a valid mode.
+    pub mode: ModeIndicator,
 }
 
 /// What the last HTC meant (SEN-5).
@@ -104,75 +129,77 @@ pub struct PortCount {
     pub bad_checksum: u64,
     /// Lines that are no sentence.
     pub garbage: u64,
+    /// Accepted sentences that the port may not say: kept, and not used from here (FE11).
+    pub unused: u64,
     /// A right checksum was heard (policy `learned`).
     pub learned: bool,
     /// When the last accepted sentence was heard.
     pub last: Option<Stamp>,
 }
 
-/// What a station has heard and sent, folded from its lines.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Picture {
-    /// The station's ports.
-    pub ports: Vec<PortSetup>,
-    /// What each has said.
-    pub counts: Vec<PortCount>,
-    /// Headings, one a source.
-    pub headings: Vec<Heard<Heading>>,
-    /// Rates of turn, one a source.
-    pub rates: Vec<Heard<RateOfTurn>>,
-    /// Positions, one a source.
-    pub fixes: Vec<Heard<Fix>>,
-    /// Courses and speeds over ground, one a source.
-    pub grounds: Vec<Heard<Ground>>,
-    /// Speeds through the water, one a source.
-    pub water_speeds: Vec<Heard<Speed>>,
-    /// Rudder response.
-    pub rudder: Option<Heard<RudderAngle>>,
-    /// Rudder order.
-    pub order: Option<Heard<RudderAngle>>,
-    /// Last HTC without a checksum or count fault; `at` only where it may be obeyed.
-    pub htc: Option<Heard<Commanded>>,
-    /// Cross-track distance for display.
-    pub xte: Option<Heard<Xte>>,
-    /// Cross-track distance for control.
-    pub pney1: Option<Heard<Pney1>>,
-    /// Radius centre and waypoint.
-    pub pney2: Option<Heard<Pney2>>,
-    /// What the autopilot reports.
-    pub htd: Option<Heard<Htd>>,
+/// Makes the picture from the table of facts.
+macro_rules! picture {
+    ($($(#[$doc:meta])* $field:ident: $kind:ident $type:ty { $($name:ident: $read:path),* } $(own { $($own:ident: $own_read:path),* })?;)*) => {
+        /// What a station has heard and sent, folded from its lines.
+        #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+        pub struct Picture {
+            /// Whose picture it is; decides what is believed.
+            pub station: Role,
+            /// The station's ports.
+            pub ports: Vec<PortSetup>,
+            /// What each has said.
+            pub counts: Vec<PortCount>,
+            $($(#[$doc])* pub $field: store!($kind $type),)*
+        }
+
+        impl Picture {
+            /// A picture without ports, which hears nothing.
+            #[must_use]
+            pub const fn empty() -> Self {
+                Self {
+                    station: Role::Autopilot,
+                    ports: Vec::new(),
+                    counts: Vec::new(),
+                    $($field: nothing!($kind),)*
+                }
+            }
+        }
+    };
+}
+
+macro_rules! store {
+    (many $type:ty) => { Vec<Heard<$type>> };
+    ($one:ident $type:ty) => { Option<Heard<$type>> };
+}
+
+macro_rules! nothing {
+    (many) => {
+        Vec::new()
+    };
+    ($one:ident) => {
+        None
+    };
+}
+
+facts!(picture);
+
+/// Decodes one line for [`Picture::fold_sentence`]: sentences that no picture is made of are left unknown, and a program
+/// that decodes in this way only does not carry their tables.
+#[must_use]
+pub fn decode(line: &[u8]) -> Sentence<'_> {
+    decode_knowing::<OfPicture>(line)
 }
 
 impl Picture {
     /// An empty picture of a station with these ports.
     #[must_use]
-    pub fn new(ports: Vec<PortSetup>) -> Self {
+    pub fn new(station: Role, ports: Vec<PortSetup>) -> Self {
         let counts = vec![PortCount::default(); ports.len()];
         Self {
+            station,
             ports,
             counts,
             ..Self::default()
-        }
-    }
-
-    /// A picture without ports, which hears nothing.
-    #[must_use]
-    pub const fn empty() -> Self {
-        Self {
-            ports: Vec::new(),
-            counts: Vec::new(),
-            headings: Vec::new(),
-            rates: Vec::new(),
-            fixes: Vec::new(),
-            grounds: Vec::new(),
-            water_speeds: Vec::new(),
-            rudder: None,
-            order: None,
-            htc: None,
-            xte: None,
-            pney1: None,
-            pney2: None,
-            htd: None,
         }
     }
 
@@ -261,19 +288,5 @@ impl Flavor for Digest {
 
     fn finalize(self) -> postcard::Result<u64> {
         Ok(self.0)
-    }
-}
-
-/// Order of preference among sources (AP-9).
-const fn rank(profile: Profile) -> u8 {
-    match profile {
-        Profile::Gyro1 => 0,
-        Profile::Gyro2 => 1,
-        Profile::Thd => 2,
-        Profile::Rot => 3,
-        Profile::Gps | Profile::Log | Profile::Gear => 4,
-        Profile::Magn => 5,
-        Profile::Ecdis => 6,
-        Profile::Hmi | Profile::Monitor => 9,
     }
 }

@@ -1,9 +1,9 @@
 //! The picture is the same whether a line was decoded by the whole dictionary or by the part that a picture needs.
 
 use std::fs;
-use wheelover_core::nmea::{decode, decode_for_picture, with_checksum};
-use wheelover_core::picture::Picture;
-use wheelover_core::station::{ChecksumPolicy, Direction, PortSetup, Profile};
+use wheelover_core::nmea::{decode, with_checksum};
+use wheelover_core::picture::{self, Picture};
+use wheelover_core::station::{ChecksumPolicy, Direction, PortSetup, Profile, Role};
 use wheelover_core::time::Stamp;
 
 const PROFILES: [Profile; 11] = [
@@ -57,7 +57,7 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
         baud: 4800,
         output: true,
     };
-    let mut whole = Picture::new(PROFILES.map(port).to_vec());
+    let mut whole = Picture::new(Role::Autopilot, PROFILES.map(port).to_vec());
     let mut part = whole.clone();
     let lines = lines();
     assert!(lines.len() > 200, "{} lines", lines.len());
@@ -67,7 +67,7 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
             for dir in [Direction::In, Direction::Out] {
                 let (at, before) = (Stamp(index as u64 * 100), whole.digest());
                 whole.fold_sentence(at, port, dir, &decode(line));
-                part.fold_sentence(at, port, dir, &decode_for_picture(line));
+                part.fold_sentence(at, port, dir, &picture::decode(line));
                 let shown = String::from_utf8_lossy(line);
                 assert_eq!(whole, part, "{shown} on {profile:?}, {dir:?}");
                 changes += usize::from(whole.digest() != before);

@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, VecDeque};
 use wheelover_core::geo::{Plane, Position};
 use wheelover_core::nmea;
-use wheelover_core::picture::Picture;
+use wheelover_core::picture::{self, Picture};
 use wheelover_core::station::{Direction, PortIndex};
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{Hello, Line, Lines, Snapshot};
@@ -101,7 +101,7 @@ impl Fold {
             }
             self.seen = *sequence;
             let bytes = latin1(text);
-            let sentence = nmea::decode_for_picture(&bytes);
+            let sentence = picture::decode(&bytes);
             if *sequence == self.folded + 1 {
                 self.picture
                     .fold_sentence(Stamp(*at), *port, *dir, &sentence);

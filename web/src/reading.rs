@@ -224,7 +224,7 @@ impl Readings {
             cog,
         };
         readings.side_the_set_rate(picture);
-        if picture.fix(now).is_some_and(|fix| !fix.value.corrected)
+        if picture.fix(now).is_some_and(|fix| !fix.value.corrected())
             && matches!(readings.position.state, Freshness::Valid | Freshness::Late)
         {
             readings.position.state = Freshness::Low;

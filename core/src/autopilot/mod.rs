@@ -20,7 +20,7 @@ use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
 use crate::picture::Picture;
 use crate::settings::{Settings, SteeringBy};
-use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Station};
+use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station};
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle};
 use alloc::collections::VecDeque;
@@ -82,7 +82,7 @@ impl Autopilot {
         ship.slew = settings.rudder_slew;
         ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
         Self {
-            post: Post::new(ports),
+            post: Post::new(Role::Autopilot, ports),
             alerts: Alerts::default(),
             settings,
             steering: Steering::new(ship),

@@ -92,7 +92,7 @@ impl Autopilot {
                 .set(now, Alert::PositionJump, verdict != FixVerdict::Taken, "");
             let engaged = self.mode.is_autonav();
             self.alerts
-                .set(now, Alert::NoDifferential, engaged && !fix.corrected, "");
+                .set(now, Alert::NoDifferential, engaged && !fix.corrected(), "");
             if verdict == FixVerdict::Jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
                 self.track_fail(now, Cause::PositionJump, "the position jumped");
             }

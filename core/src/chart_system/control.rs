@@ -78,10 +78,10 @@ impl ChartSystem {
             }
             Phase::Leg(_) => {}
         }
-        if self.heard.heading_at(now).is_none() {
+        if self.heading_at(now).is_none() {
             return refuse("no heading");
         }
-        if self.heard.ground_at(now).is_none() {
+        if self.ground_at(now).is_none() {
             return refuse("no course and speed over ground");
         }
         self.progress = Some(place);
@@ -95,7 +95,7 @@ impl ChartSystem {
         if matches!(self.control, Control::Heading { .. }) {
             return Ok("heading control is commanded already".into());
         }
-        let Some(heading) = self.heard.heading_at(now) else {
+        let Some(heading) = self.heading_at(now) else {
             return refuse("no heading");
         };
         let sailing = self.route.is_some()
@@ -113,7 +113,7 @@ impl ChartSystem {
             if place.phase().turning() {
                 return refuse("not in the middle of a turn");
             }
-            if self.heard.ground_at(now).is_none() {
+            if self.ground_at(now).is_none() {
                 return refuse("no course and speed over ground");
             }
             self.progress = Some(place);
@@ -164,7 +164,7 @@ impl ChartSystem {
         if off.abs() > self.config.begin_cross_track {
             return refuse(format!("too far from the track: {:.2} nm", off.abs().nm()));
         }
-        if let Some(heading) = self.heard.heading_at(now) {
+        if let Some(heading) = self.heading_at(now) {
             let angle: Turn = heading.as_course() - leg.course();
             if angle.abs().deg() > self.config.begin_angle_deg {
                 return refuse(format!(
@@ -190,7 +190,7 @@ impl ChartSystem {
             Control::Track { .. } => (SteeringMode::TrackControl, "track control"),
             Control::Heading { .. } => (SteeringMode::HeadingControl, "heading control"),
         };
-        match self.heard.steering_at(self.now) {
+        match self.steering_at(self.now) {
             Some(Some(mode)) if mode == wanted.0 => {
                 format!("the autopilot follows in {}", wanted.1)
             }

@@ -84,7 +84,7 @@ impl ChartSystem {
             steering_mode: Some(SteeringMode::HeadingControl),
             ..base
         };
-        if let Some((turn, ground)) = self.turn_in_tn(now).zip(self.heard.ground_at(now)) {
+        if let Some((turn, ground)) = self.turn_in_tn(now).zip(self.ground_at(now)) {
             let track = Some(turn.course_out().deg());
             return Htc {
                 turn_mode: Some(TurnMode::Rate),
@@ -113,7 +113,7 @@ impl ChartSystem {
         match self.phase()? {
             Phase::Arc(_) => Some(turn),
             Phase::Forwarding(leg) => {
-                let speed = self.heard.ground_at(now)?.speed.mps();
+                let speed = self.ground_at(now)?.speed.mps();
                 let remaining = route.leg(leg).remaining(self.here(now)?.position).m();
                 let line = turn.tangent().m() + self.config.forwarding_tn_s * speed;
                 (remaining <= line).then_some(turn)
@@ -131,13 +131,10 @@ impl ChartSystem {
     /// `track - atan(y / look-ahead) + crab`: brings the ship to the leg and keeps her there in a current.
     fn heading_on_leg(&self, now: Stamp, track: Course) -> Course {
         let off = self.shown.control.unwrap_or_default().m();
-        let speed = self
-            .heard
-            .ground_at(now)
-            .map_or(0.0, |ground| ground.speed.mps());
+        let speed = self.ground_at(now).map_or(0.0, |ground| ground.speed.mps());
         let ahead = (LOOK_AHEAD_S * speed).max(100.0);
         let cut = libm::atan(off / ahead) * 180.0 / core::f64::consts::PI;
-        let water = self.heard.water_at(now).unwrap_or_default();
+        let water = self.water_at(now).unwrap_or_default();
         let crab = self.current.crab_deg(track, water);
         Course::from_deg(track.deg() - cut.clamp(-LARGEST_CUT_DEG, LARGEST_CUT_DEG) + crab)
     }
@@ -196,10 +193,7 @@ impl ChartSystem {
 
     fn vtg(&self, now: Stamp) -> Vtg {
         // TCS-3: without a position VTG is not valid either.
-        let ground = self
-            .heard
-            .ground_at(now)
-            .filter(|_| self.here(now).is_some());
+        let ground = self.ground_at(now).filter(|_| self.here(now).is_some());
         let Some(ground) = ground else {
             return Vtg {
                 mode: Some(ModeIndicator::NotValid),
@@ -216,9 +210,9 @@ impl ChartSystem {
     }
 
     fn vhw(&self, now: Stamp) -> Vhw {
-        let water = self.heard.water_at(now);
+        let water = self.water_at(now);
         Vhw {
-            heading_true: self.heard.heading_at(now).map(|heading| heading.deg()),
+            heading_true: self.heading_at(now).map(|heading| heading.deg()),
             speed_knots: water.map(|speed| speed.knots()),
             speed_kmh: water.map(|speed| speed.knots() * KMH_PER_KNOT),
             ..Vhw::default()

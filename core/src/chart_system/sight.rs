@@ -2,7 +2,7 @@
 
 use super::ChartSystem;
 use super::control::Control;
-use super::heard::Here;
+use super::position::Here;
 use crate::route::{Phase, Progress};
 use crate::time::Stamp;
 use crate::units::Distance;
@@ -21,14 +21,9 @@ pub(super) struct CrossTracks {
 }
 
 impl ChartSystem {
-    /// The conning position at the moment of sending.
-    pub(super) fn here(&self, now: Stamp) -> Option<Here> {
-        self.heard.here(now, self.config.conning_offset_m)
-    }
-
     /// Moves along the route with the position; ends control that is no longer possible.
     pub(super) fn monitor(&mut self, now: Stamp) {
-        if self.heard.take_jump() && self.control != Control::Off {
+        if self.guard.take_jump() && self.control != Control::Off {
             self.end_control("the position has jumped");
         }
         let here = self.here(now);
@@ -36,7 +31,7 @@ impl ChartSystem {
             Control::Track { .. } | Control::Heading { leg: None } if here.is_none() => {
                 self.end_control("no position"); // TCS-3
             }
-            Control::Heading { .. } if self.heard.heading_at(now).is_none() => {
+            Control::Heading { .. } if self.heading_at(now).is_none() => {
                 self.end_control("no heading");
             }
             _ => {}
@@ -87,7 +82,7 @@ impl ChartSystem {
         progress: Progress,
         here: Here,
     ) {
-        let (Phase::Leg(leg), Some(ground)) = (progress.phase(), self.heard.ground_at(now)) else {
+        let (Phase::Leg(leg), Some(ground)) = (progress.phase(), self.ground_at(now)) else {
             return;
         };
         let room = route.room_for_forwarding(leg);
@@ -110,9 +105,9 @@ impl ChartSystem {
             .is_none_or(|progress| !progress.phase().turning());
         if let (true, Some(ground), Some(heading), Some(water)) = (
             steady,
-            self.heard.ground_at(now),
-            self.heard.heading_at(now),
-            self.heard.water_at(now),
+            self.ground_at(now),
+            self.heading_at(now),
+            self.water_at(now),
         ) {
             self.current.learn(ground, heading, water);
         }
@@ -139,7 +134,7 @@ impl ChartSystem {
         let (route, progress) = (self.route.as_ref()?, self.progress?);
         let here = self.here(now)?;
         let distance = progress.to_wheel_over(route, here.position, self.forwarding)?;
-        let speed = self.heard.ground_at(now)?.speed.mps();
+        let speed = self.ground_at(now)?.speed.mps();
         (speed > 0.2).then(|| distance.m() / speed)
     }
 }

@@ -3,7 +3,7 @@
 //! **Invariant:** decoding never fails and never panics; nothing is allocated where nothing is wrong.
 
 use super::fault::{Fault, FaultKind};
-use super::known::{Known, OfPicture, Whole, identify, text_of};
+use super::known::{Known, Whole, identify, text_of};
 use super::read::{read, read_here};
 use super::scan::{Cursor, FieldList, LONGEST_BODY};
 use super::table::{Definition, Kind, Repeat};
@@ -98,15 +98,9 @@ pub fn decode(line: &[u8]) -> Sentence<'_> {
     decode_knowing::<Whole>(line)
 }
 
-/// Decodes one line for [`crate::picture::Picture::fold_sentence`]: sentences that no picture is made of are left unknown,
-/// and a program that decodes in this way only does not carry their tables.
-#[must_use]
-pub fn decode_for_picture(line: &[u8]) -> Sentence<'_> {
-    decode_knowing::<OfPicture>(line)
-}
-
+/// Decodes one line by that choice of the dictionary.
 #[inline(always)]
-fn decode_knowing<K: Known>(line: &[u8]) -> Sentence<'_> {
+pub(crate) fn decode_knowing<K: Known>(line: &[u8]) -> Sentence<'_> {
     let raw = trim(line);
     let (tag, text) = match raw {
         [b'\\', ..] => TagBlock::take(raw),

@@ -1,7 +1,7 @@
 //! Which sentence a line is, and which ones a decoder knows: all of them, or the few that a reader asks for.
 
 use super::scan::FieldList;
-use super::table::{Definition, key};
+use super::table::Definition;
 use super::tables;
 
 /// A choice of the dictionary. What is not chosen is not linked either, which keeps a page small.
@@ -27,42 +27,6 @@ impl Known for Whole {
     }
     fn query() -> Option<&'static Definition> {
         Some(tables::query())
-    }
-}
-
-/// The sentences that the picture is made of.
-pub(crate) struct OfPicture;
-
-static OF_PICTURE: [&Definition; 13] = [
-    &tables::hdt::DEFINITION,
-    &tables::ths::DEFINITION,
-    &tables::rot::DEFINITION,
-    &tables::gll::DEFINITION,
-    &tables::vtg::DEFINITION,
-    &tables::vhw::DEFINITION,
-    &tables::rsa::DEFINITION,
-    &tables::ror::DEFINITION,
-    &tables::htd::DEFINITION,
-    &tables::htc::DEFINITION,
-    &tables::xte::DEFINITION,
-    &tables::pney1::DEFINITION,
-    &tables::pney2::DEFINITION,
-];
-
-impl Known for OfPicture {
-    fn formatter(formatter: [u8; 3]) -> Option<&'static Definition> {
-        let key = key(&formatter);
-        OF_PICTURE
-            .into_iter()
-            .find(|known| known.key == key && key != 0)
-    }
-    fn proprietary(address: &str) -> Option<&'static Definition> {
-        OF_PICTURE
-            .into_iter()
-            .find(|known| known.formatter == address)
-    }
-    fn query() -> Option<&'static Definition> {
-        None
     }
 }
 

@@ -1,10 +1,12 @@
 //! The fold: what each sentence on each kind of port changes in the picture (FE11, SEN-2, SEN-5).
 
-use super::{Commanded, Fix, Ground, Heard, Picture, Source};
-use crate::nmea::{self, Checksum, Htc, Htd, Pney1, Pney2, Sentence, Xte};
+use super::{Commanded, Heard, Picture, Source};
+use crate::facts::facts;
+use crate::facts::ports::believes;
+use crate::facts::read::{self, Reading};
+use crate::nmea::{self, Checksum, Definition, Htc, Sentence};
 use crate::station::{ChecksumPolicy, Direction, PortIndex, Profile};
 use crate::time::Stamp;
-use crate::units::{Course, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::vec::Vec;
 
 /// At most so many sources a quantity; a further one is not taken.
@@ -25,7 +27,7 @@ impl Picture {
         self.fold_sentence(at, port, dir, &sentence);
     }
 
-    /// Folds one decoded line. True where the port's policy accepts it.
+    /// Folds one decoded line. True where the port's policy accepts it and the port may say it.
     pub fn fold_sentence(
         &mut self,
         at: Stamp,
@@ -51,123 +53,20 @@ impl Picture {
             count.heard += 1;
             count.last = Some(at);
         }
-        let source = || Source {
-            port,
-            talker: sentence.talker().into(),
-            formatter: sentence.formatter.into(),
+        if dir == Direction::In && !believes(self.station, profile, sentence.formatter) {
+            self.counts[port].unused += 1;
+            return false;
+        }
+        let Some(known) = sentence.known else {
+            return true;
         };
         let clean = sentence.faults().is_empty();
-        match (dir, sentence.formatter) {
-            (Direction::In, "HDT") if gives_heading(profile) => {
-                let value = nmea::Hdt::from_sentence(sentence).and_then(|s| s.heading);
-                hear(
-                    &mut self.headings,
-                    at,
-                    source(),
-                    value.filter(|_| clean).map(Heading::from_deg),
-                );
+        match dir {
+            Direction::In => self.take(at, port, sentence, known, clean),
+            Direction::Out if profile == Profile::Ecdis => {
+                self.take_own(at, port, sentence, known, clean)
             }
-            (Direction::In, "THS") if gives_heading(profile) => {
-                let view = nmea::Ths::from_sentence(sentence);
-                let value = view
-                    .filter(|s| clean && s.mode == Some(nmea::ThsMode::Autonomous))
-                    .and_then(|s| s.heading);
-                hear(
-                    &mut self.headings,
-                    at,
-                    source(),
-                    value.map(Heading::from_deg),
-                );
-            }
-            (Direction::In, "ROT") if gives_heading(profile) || profile == Profile::Rot => {
-                let value = nmea::Rot::from_sentence(sentence)
-                    .filter(|s| clean && s.status == Some(nmea::DataStatus::Valid))
-                    .and_then(|s| s.rate);
-                hear(
-                    &mut self.rates,
-                    at,
-                    source(),
-                    value.map(RateOfTurn::from_deg_per_min),
-                );
-            }
-            (Direction::In, "GLL") if matches!(profile, Profile::Gps | Profile::Ecdis) => {
-                let value = nmea::Gll::from_sentence(sentence).filter(|s| {
-                    clean
-                        && s.status == Some(nmea::DataStatus::Valid)
-                        && s.mode.is_none_or(nmea::ModeIndicator::valid)
-                });
-                let fix = value.and_then(|s| {
-                    let corrected = s.mode.is_some_and(|mode| {
-                        mode.valid() && mode != nmea::ModeIndicator::Autonomous
-                    });
-                    s.position.map(|position| Fix {
-                        position,
-                        corrected,
-                    })
-                });
-                hear(&mut self.fixes, at, source(), fix);
-            }
-            (Direction::In, "VTG") if matches!(profile, Profile::Gps | Profile::Ecdis) => {
-                let value = nmea::Vtg::from_sentence(sentence)
-                    .filter(|s| clean && s.mode.is_none_or(nmea::ModeIndicator::valid));
-                let ground = value.and_then(|s| {
-                    let course = s.course_true.map(Course::from_deg);
-                    s.speed_knots.map(|speed| Ground {
-                        course,
-                        speed: Speed::from_knots(speed),
-                    })
-                });
-                hear(&mut self.grounds, at, source(), ground);
-            }
-            (Direction::In, "VHW") if matches!(profile, Profile::Log | Profile::Ecdis) => {
-                let value = nmea::Vhw::from_sentence(sentence).and_then(|s| s.speed_knots);
-                let speed = value.filter(|_| clean).map(Speed::from_knots);
-                hear(&mut self.water_speeds, at, source(), speed);
-            }
-            (Direction::In, "RSA") if matches!(profile, Profile::Gear | Profile::Ecdis) => {
-                let value = nmea::Rsa::from_sentence(sentence)
-                    .filter(|s| clean && s.starboard_status == Some(nmea::DataStatus::Valid))
-                    .and_then(|s| s.starboard);
-                hear_one(
-                    &mut self.rudder,
-                    at,
-                    source(),
-                    value.map(RudderAngle::from_deg),
-                );
-            }
-            (_, "ROR") if profile == Profile::Ecdis => {
-                let value = nmea::Ror::from_sentence(sentence)
-                    .filter(|s| clean && s.starboard_status == Some(nmea::DataStatus::Valid))
-                    .and_then(|s| s.starboard);
-                hear_one(
-                    &mut self.order,
-                    at,
-                    source(),
-                    value.map(RudderAngle::from_deg),
-                );
-            }
-            (_, "HTD") if profile == Profile::Ecdis => {
-                let view = Htd::from_sentence(sentence).filter(|_| clean);
-                hear_one(&mut self.htd, at, source(), view);
-            }
-            (Direction::In, "HTC") if profile == Profile::Ecdis => {
-                self.hear_htc(at, source(), sentence)
-            }
-            (Direction::In, "XTE") if profile == Profile::Ecdis => {
-                let view = Xte::from_sentence(sentence)
-                    .filter(|s| clean && measured(s.status, s.cycle_lock, s.mode));
-                hear_one(&mut self.xte, at, source(), view);
-            }
-            (Direction::In, "PNEY,001") if profile == Profile::Ecdis => {
-                let view = Pney1::from_sentence(sentence)
-                    .filter(|s| clean && measured(s.status, s.cycle_lock, s.mode));
-                hear_one(&mut self.pney1, at, source(), view);
-            }
-            (Direction::In, "PNEY,002") if profile == Profile::Ecdis => {
-                let view = Pney2::from_sentence(sentence).filter(|_| clean);
-                hear_one(&mut self.pney2, at, source(), view);
-            }
-            _ => {}
+            Direction::Out => {}
         }
         true
     }
@@ -199,13 +98,6 @@ impl Picture {
     }
 }
 
-const fn gives_heading(profile: Profile) -> bool {
-    matches!(
-        profile,
-        Profile::Gyro1 | Profile::Gyro2 | Profile::Thd | Profile::Ecdis
-    )
-}
-
 /// SEN-2: whether the port's policy accepts the sentence.
 fn accepted(policy: ChecksumPolicy, checksum: Checksum, learned: &mut bool) -> bool {
     match checksum {
@@ -222,55 +114,84 @@ fn accepted(policy: ChecksumPolicy, checksum: Checksum, learned: &mut bool) -> b
     }
 }
 
-/// AP-9, FA5: both status letters and the mode indicator must be valid.
-fn measured(
-    status: Option<nmea::DataStatus>,
-    cycle_lock: Option<nmea::DataStatus>,
-    mode: Option<nmea::ModeIndicator>,
-) -> bool {
-    status == Some(nmea::DataStatus::Valid)
-        && cycle_lock != Some(nmea::DataStatus::Invalid)
-        && mode.is_none_or(nmea::ModeIndicator::valid)
+/// Where the values of a fact are kept.
+trait Store<T> {
+    fn hear(&mut self, at: Stamp, source: Source, reading: Reading<T>);
 }
 
-fn hear<T>(list: &mut Vec<Heard<T>>, at: Stamp, source: Source, value: Option<T>) {
-    let index = list.iter().position(|heard| heard.source == source);
-    match (index.and_then(|index| list.get_mut(index)), value) {
-        (Some(heard), Some(value)) => {
-            *heard = Heard {
-                value,
-                at,
-                refused: None,
-                source,
+impl<T> Store<T> for Vec<Heard<T>> {
+    fn hear(&mut self, at: Stamp, source: Source, reading: Reading<T>) {
+        let room = self.len() < MAX_SOURCES;
+        let known = self.iter_mut().find(|heard| heard.source == source);
+        match (known, reading) {
+            (Some(heard), Reading::Value(value)) => *heard = Heard::new(value, at, source),
+            (None, Reading::Value(value)) if room => {
+                self.push(Heard::new(value, at, source));
             }
+            (Some(heard), Reading::NotValid | Reading::Null) => heard.refused = Some(at),
+            (None, _) => {}
         }
-        (Some(heard), None) => heard.refused = Some(at),
-        (None, Some(value)) => {
-            if list.len() < MAX_SOURCES {
-                list.push(Heard {
-                    value,
-                    at,
-                    refused: None,
-                    source,
-                });
-            }
-        }
-        (None, None) => {}
     }
 }
 
-fn hear_one<T>(slot: &mut Option<Heard<T>>, at: Stamp, source: Source, value: Option<T>) {
-    match (slot.as_mut(), value) {
-        (_, Some(value)) => {
-            *slot = Some(Heard {
-                value,
-                at,
-                refused: None,
-                source,
-            })
+impl<T> Store<T> for Option<Heard<T>> {
+    fn hear(&mut self, at: Stamp, source: Source, reading: Reading<T>) {
+        match (self.as_mut(), reading) {
+            (_, Reading::Value(value)) => *self = Some(Heard::new(value, at, source)),
+            (Some(heard), Reading::NotValid | Reading::Null) => heard.refused = Some(at),
+            (None, _) => {}
         }
-        (Some(heard), None) => heard.refused = Some(at),
-        (None, None) => {}
+    }
+}
+
+/// Takes a reading into its place in the picture.
+macro_rules! take {
+    (command $field:ident $picture:ident $at:ident $source:ident $sentence:ident $clean:ident $read:path) => {
+        $picture.hear_htc($at, $source, $sentence)
+    };
+    ($kind:ident $field:ident $picture:ident $at:ident $source:ident $sentence:ident $clean:ident $read:path) => {
+        $picture.$field.hear(
+            $at,
+            $source,
+            if $clean {
+                $read($sentence)
+            } else {
+                Reading::Null
+            },
+        )
+    };
+}
+
+/// Makes the fold from the table of facts.
+macro_rules! fold {
+    ($($(#[$doc:meta])* $field:ident: $kind:ident $type:ty { $($name:ident: $read:path),* } $(own { $($own:ident: $own_read:path),* })?;)*) => {
+        impl Picture {
+            /// What was heard.
+            fn take(&mut self, at: Stamp, port: PortIndex, sentence: &Sentence<'_>, known: &Definition, clean: bool) {
+                $($(if core::ptr::eq(known, &nmea::$name::DEFINITION) {
+                    let source = source(port, sentence);
+                    take!($kind $field self at source sentence clean $read);
+                })*)*
+            }
+
+            /// What the station said itself.
+            fn take_own(&mut self, at: Stamp, port: PortIndex, sentence: &Sentence<'_>, known: &Definition, clean: bool) {
+                $($($(if core::ptr::eq(known, &nmea::$own::DEFINITION) {
+                    let source = source(port, sentence);
+                    take!($kind $field self at source sentence clean $own_read);
+                })*)?)*
+            }
+        }
+    };
+}
+
+facts!(fold);
+
+fn source(port: PortIndex, sentence: &Sentence<'_>) -> Source {
+    Source {
+        port,
+        talker: sentence.talker().into(),
+        formatter: sentence.formatter.into(),
     }
 }
 

@@ -11,6 +11,34 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
+/// Which station.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// The simulated ship with her sensors and steering gear.
+    World,
+    /// The chart-system side.
+    ChartSystem,
+    /// The autopilot.
+    #[default]
+    Autopilot,
+}
+
+impl Role {
+    /// All, in the order in which they run.
+    pub const ALL: [Self; 3] = [Self::World, Self::ChartSystem, Self::Autopilot];
+
+    /// Name in the configuration and in the stream.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::World => "world",
+            Self::ChartSystem => "chart_system",
+            Self::Autopilot => "autopilot",
+        }
+    }
+}
+
 /// Number of a port within its station, from 0.
 pub type PortIndex = usize;
 

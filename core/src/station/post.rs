@@ -3,7 +3,7 @@
 //! In: bytes of a port. Out: a [`Output::Line`] for each line heard or said, and [`Output::Send`] for what is said.
 //! Every line is folded into the picture, so that a page that folds the same lines has the same picture.
 
-use super::{Direction, Output, PortIndex, PortSetup};
+use super::{Direction, Output, PortIndex, PortSetup, Role};
 use crate::limits::Quantity;
 use crate::nmea::{self, Ear, Frame, Sentence};
 use crate::picture::{Heard, Picture};
@@ -23,10 +23,10 @@ pub(crate) struct Post {
 
 impl Post {
     /// A post that has heard nothing.
-    pub(crate) fn new(ports: Vec<PortSetup>) -> Self {
+    pub(crate) fn new(station: Role, ports: Vec<PortSetup>) -> Self {
         Self {
             ears: ports.iter().map(|_| Ear::default()).collect(),
-            picture: Picture::new(ports),
+            picture: Picture::new(station, ports),
             fresh_after: None,
         }
     }
@@ -98,7 +98,7 @@ pub(crate) trait Station {
     /// Its post.
     fn post(&mut self) -> &mut Post;
 
-    /// Acts on a sentence that the port's policy accepts; it stands in the picture already.
+    /// Acts on a sentence that the port may say; it stands in the picture already.
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>);
 }
 

@@ -339,6 +339,8 @@ pub struct PortView {
     pub bad_checksum: u64,
     /// Bytes outside sentences.
     pub garbage: u64,
+    /// Accepted sentences that this port may not say: shown, never used.
+    pub unused: u64,
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ fn messages() -> Vec<String> {
             protocol: PROTOCOL,
             build: "0.1.0".into(),
             dictionary: 140,
-            picture: Picture::new(vec![port.clone()]),
+            picture: Picture::new(crate::station::Role::Autopilot, vec![port.clone()]),
             line: 7,
             at: 1_000,
             rate: 1.0,

@@ -120,6 +120,7 @@ pub fn ports_document(voyage: &Voyage) -> PortsDocument {
             sent: count.sent,
             bad_checksum: count.bad_checksum,
             garbage: count.garbage,
+            unused: count.unused,
         }
     };
     PortsDocument {

@@ -8,6 +8,7 @@ use crate::autopilot::steering::SteeringSettings;
 use crate::chart_system::{ChartConfig, ChartSystem};
 use crate::route;
 use crate::settings::Settings;
+pub use crate::station::Role;
 use crate::station::{ChecksumPolicy, PortIndex, PortSetup, Profile};
 use crate::time::Stamp;
 use crate::units::{Course, Speed};
@@ -17,33 +18,6 @@ use alloc::string::ToString;
 use alloc::vec;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
-
-/// A station that can run here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// The simulated ship with her sensors and steering gear.
-    World,
-    /// The chart-system side.
-    ChartSystem,
-    /// The autopilot.
-    Autopilot,
-}
-
-impl Role {
-    /// All, in the order in which they run.
-    pub const ALL: [Self; 3] = [Self::World, Self::ChartSystem, Self::Autopilot];
-
-    /// Name in the configuration and in the stream.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::World => "world",
-            Self::ChartSystem => "chart_system",
-            Self::Autopilot => "autopilot",
-        }
-    }
-}
 
 /// What a voyage is made of.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -19,7 +19,7 @@ use crate::geo::{Plane, Point, Position};
 use crate::nmea::Sentence;
 use crate::picture::Picture;
 use crate::station::{
-    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Station,
+    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station,
 };
 use crate::time::Stamp;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
@@ -149,7 +149,7 @@ impl World {
             log_injury: sensors::Injury::default(),
             log_speed: speed,
             order: None,
-            post: Post::new(ports),
+            post: Post::new(Role::World, ports),
             next: Stamp(0),
             steps: 0,
             sailed: 0.0,

@@ -1,29 +1,8 @@
-//! One table of age limits, used by the autopilot, the display and the checker (AP-9).
+//! How far a heard value may be used by its age; the limits stand in the table of facts (AP-9).
 
+pub use super::Quantity;
 use crate::time::Stamp;
 use serde::{Deserialize, Serialize};
-
-/// A quantity that is heard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Quantity {
-    /// Course and speed over ground.
-    Ground,
-    /// Heading.
-    Heading,
-    /// What the chart system commands and measures: HTC, XTE, PNEY.
-    Control,
-    /// What the autopilot reports: HTD, ROR.
-    Report,
-    /// Position.
-    Position,
-    /// Rate of turn.
-    RateOfTurn,
-    /// Rudder angle.
-    Rudder,
-    /// Speed through the water.
-    WaterSpeed,
-}
 
 /// How a heard value may be shown and used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -44,11 +23,7 @@ pub enum Freshness {
 /// Age limits of a quantity in milliseconds: late, lost.
 #[must_use]
 pub const fn limits(quantity: Quantity) -> (u64, u64) {
-    match quantity {
-        Quantity::Heading | Quantity::RateOfTurn | Quantity::Rudder => (1_200, 2_000),
-        Quantity::Control | Quantity::Report => (3_000, 5_000),
-        Quantity::Ground | Quantity::Position | Quantity::WaterSpeed => (3_000, 5_000),
-    }
+    quantity.limits()
 }
 
 /// How a value heard at `heard` may be used at `now`.

@@ -1,0 +1,94 @@
+//! The table of facts: everything that is heard of the ship, with its type, its age limits, and the sentences that say it.
+//!
+//! One row makes a field of the [`Picture`](crate::picture::Picture), its place in the fold, and the sentences that a page
+//! needs to decode. Which port may say a sentence stands in [`ports`]; what a sentence means for a fact in `read`.
+
+pub(crate) mod known;
+pub mod limits;
+pub mod ports;
+pub(crate) mod read;
+
+use serde::{Deserialize, Serialize};
+
+/// Makes the quantities and their limits from one list.
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $name:ident $text:literal $late:literal $lost:literal;)*) => {
+        /// A quantity that is heard.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Quantity {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Quantity {
+            /// Every quantity, in the order of the table.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// Its name in documents and on the page.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$name => $text,)* }
+            }
+
+            /// Age limits in milliseconds: late, lost (AP-9).
+            #[must_use]
+            pub const fn limits(self) -> (u64, u64) {
+                match self { $(Self::$name => ($late, $lost),)* }
+            }
+        }
+    };
+}
+
+quantities! {
+    /// Course and speed over ground.
+    Ground "ground" 3_000 5_000;
+    /// Heading.
+    Heading "heading" 1_200 2_000;
+    /// What the chart system commands and measures: HTC, XTE, PNEY.
+    Control "control" 3_000 5_000;
+    /// What the autopilot reports: HTD, ROR.
+    Report "report" 3_000 5_000;
+    /// Position.
+    Position "position" 3_000 5_000;
+    /// Rate of turn.
+    RateOfTurn "rate" 1_200 2_000;
+    /// Rudder angle.
+    Rudder "rudder" 1_200 2_000;
+    /// Speed through the water.
+    WaterSpeed "water" 3_000 5_000;
+}
+
+/// Gives the facts to the macro `$then`, a row each: field, one value or one a source, type, and the sentences that say it
+/// with how each is read. `own` are those that count when the station itself says them on the cable between chart system
+/// and autopilot.
+macro_rules! facts {
+    ($then:ident) => {
+        $then! {
+            /// Headings, one a source.
+            headings: many Heading { hdt: read::hdt, ths: read::ths };
+            /// Rates of turn, one a source.
+            rates: many RateOfTurn { rot: read::rot };
+            /// Positions, one a source.
+            fixes: many Fix { gll: read::gll };
+            /// Courses and speeds over ground, one a source.
+            grounds: many Ground { vtg: read::vtg };
+            /// Speeds through the water, one a source.
+            water_speeds: many Speed { vhw: read::vhw };
+            /// Rudder response.
+            rudder: one RudderAngle { rsa: read::rsa };
+            /// Rudder order.
+            order: one RudderAngle { ror: read::ror } own { ror: read::ror };
+            /// Last HTC without a checksum or count fault; `at` only where it may be obeyed.
+            htc: command Commanded { htc: read::htc };
+            /// Cross-track distance for display.
+            xte: one Xte { xte: read::xte };
+            /// Cross-track distance for control.
+            pney1: one Pney1 { pney1: read::pney1 };
+            /// Radius centre and waypoint.
+            pney2: one Pney2 { pney2: read::pney2 };
+            /// What the autopilot reports.
+            htd: one Htd { htd: read::htd } own { htd: read::htd };
+        }
+    };
+}
+pub(crate) use facts;

@@ -1,0 +1,44 @@
+//! Which port may say what, and which source is preferred: one table for the stations (FE11, AP-9).
+
+use crate::station::{Profile, Role};
+
+/// What a station believes on a port of a profile, by formatter; a maker's sentences by their address.
+#[must_use]
+pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str] {
+    match (station, profile) {
+        (Role::World, Profile::Gear) => &["ROR"],
+        (Role::World, _) => &[],
+        (_, Profile::Ecdis) => &[
+            "HTC", "XTE", "PNEY", "GLL", "VTG", "VHW", "HDT", "THS", "ROT", "RSA", "ROR", "HTD",
+            "ACK",
+        ],
+        (_, Profile::Gyro1 | Profile::Gyro2 | Profile::Thd) => &["HDT", "THS", "ROT"],
+        (_, Profile::Gps) => &["GLL", "VTG"],
+        (_, Profile::Log) => &["VHW"],
+        (_, Profile::Rot) => &["ROT"],
+        (_, Profile::Gear) => &["RSA"],
+        (_, Profile::Magn | Profile::Hmi | Profile::Monitor) => &[],
+    }
+}
+
+/// Whether a station believes a sentence on a port of a profile.
+#[must_use]
+pub fn believes(station: Role, profile: Profile, formatter: &str) -> bool {
+    // A page knows only some of a maker's sentences by their sub-address; the address says enough.
+    let address = formatter.split(',').next().unwrap_or(formatter);
+    believed(station, profile).contains(&address)
+}
+
+/// Order of preference among sources, the best first (AP-9).
+pub(crate) const fn rank(profile: Profile) -> u8 {
+    match profile {
+        Profile::Gyro1 => 0,
+        Profile::Gyro2 => 1,
+        Profile::Thd => 2,
+        Profile::Rot => 3,
+        Profile::Gps | Profile::Log | Profile::Gear => 4,
+        Profile::Magn => 5,
+        Profile::Ecdis => 6,
+        Profile::Hmi | Profile::Monitor => 9,
+    }
+}

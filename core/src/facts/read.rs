@@ -1,0 +1,89 @@
+//! What a sentence without faults says about a fact: a value, or that its source has none (AP-9, FA5).
+
+use crate::nmea::{self, DataStatus, ModeIndicator, Sentence};
+use crate::picture::{Fix, Ground};
+use crate::units::{Course, Heading, RateOfTurn, RudderAngle, Speed};
+
+/// What a source has said.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Reading<T> {
+    /// This.
+    Value(T),
+    /// By its status or mode indicator it has no valid value.
+    NotValid,
+    /// The field is empty, or the sentence is faulty (SEN-4).
+    Null,
+}
+
+impl<T> Reading<T> {
+    /// A value where its source calls it valid.
+    fn of(valid: bool, value: Option<T>) -> Self {
+        match value {
+            _ if !valid => Self::NotValid,
+            Some(value) => Self::Value(value),
+            None => Self::Null,
+        }
+    }
+}
+
+/// Reads the typed view of a sentence; each row of the table goes with its own sentence.
+macro_rules! readers {
+    ($($(#[$doc:meta])* $name:ident($view:ident: $sentence:ty) -> $type:ty { $valid:expr, $value:expr })*) => {$(
+        $(#[$doc])*
+        pub(crate) fn $name(sentence: &Sentence<'_>) -> Reading<$type> {
+            let Some($view) = <$sentence>::from_sentence(sentence) else {
+                return Reading::Null;
+            };
+            Reading::of($valid, $value)
+        }
+    )*};
+}
+
+readers! {
+    hdt(s: nmea::Hdt) -> Heading { true, s.heading.map(Heading::from_deg) }
+    /// Mode A only (AP-9).
+    ths(s: nmea::Ths) -> Heading {
+        s.mode == Some(nmea::ThsMode::Autonomous), s.heading.map(Heading::from_deg)
+    }
+    rot(s: nmea::Rot) -> RateOfTurn { is_valid(s.status), s.rate.map(RateOfTurn::from_deg_per_min) }
+    gll(s: nmea::Gll) -> Fix {
+        is_valid(s.status) && allows(s.mode),
+        s.position.map(|position| Fix { position, mode: mode(s.mode), utc: s.time.map(nmea::UtcTime::seconds) })
+    }
+    vtg(s: nmea::Vtg) -> Ground {
+        allows(s.mode),
+        s.speed_knots.map(|speed| Ground {
+            course: s.course_true.map(Course::from_deg), speed: Speed::from_knots(speed), mode: mode(s.mode),
+        })
+    }
+    vhw(s: nmea::Vhw) -> Speed { true, s.speed_knots.map(Speed::from_knots) }
+    /// A single or linked rudder stands on the starboard side (AP-4).
+    rsa(s: nmea::Rsa) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
+    ror(s: nmea::Ror) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
+    xte(s: nmea::Xte) -> nmea::Xte { measured(s.status, s.cycle_lock, s.mode), Some(s) }
+    pney1(s: nmea::Pney1) -> nmea::Pney1 { measured(s.status, s.cycle_lock, s.mode), Some(s) }
+    pney2(s: nmea::Pney2) -> nmea::Pney2 { true, Some(s) }
+    htd(s: nmea::Htd) -> nmea::Htd { true, Some(s) }
+}
+
+fn is_valid(status: Option<DataStatus>) -> bool {
+    status == Some(DataStatus::Valid)
+}
+
+/// An edition without the field says nothing against the value.
+fn allows(mode: Option<ModeIndicator>) -> bool {
+    mode.is_none_or(ModeIndicator::valid)
+}
+
+fn mode(mode: Option<ModeIndicator>) -> ModeIndicator {
+    mode.unwrap_or(ModeIndicator::Autonomous)
+}
+
+/// FA5: both status letters and the mode indicator must be valid.
+fn measured(
+    status: Option<DataStatus>,
+    lock: Option<DataStatus>,
+    mode: Option<ModeIndicator>,
+) -> bool {
+    is_valid(status) && lock != Some(DataStatus::Invalid) && allows(mode)
+}
