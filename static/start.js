@@ -11,16 +11,17 @@ globalThis.wheeloverDictionary = async () => {
 // The link is opened while the page is still being compiled. The page begins with what the server says first, so that
 // what it shows first is live; it does not wait long for that, and not at all where there is no server.
 const socket = new WebSocket(`${location.origin.replace("http", "ws")}/ws?lines=resumed`);
-const frames = [];
+const link = { socket, frames: [], came: undefined };
 const greeted = new Promise((done) => {
   socket.onmessage = (event) => {
-    frames.push(event.data);
+    link.came ??= performance.now();
+    link.frames.push(event.data);
     done();
   };
   socket.onerror = done;
   setTimeout(done, 500);
 });
-globalThis.wheeloverLink = { socket, frames };
+globalThis.wheeloverLink = link;
 
 const [module] = await Promise.all([WebAssembly.compileStreaming(fetch("{{wasm}}")), greeted]);
 await init({ module_or_path: module });

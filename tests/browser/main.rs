@@ -3,3 +3,7 @@
 
 mod bridge;
 mod decoder;
+mod fed;
+mod outage;
+mod pace;
+mod sleep;

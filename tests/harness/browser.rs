@@ -3,7 +3,7 @@
 use fantoccini::wd::Capabilities;
 use fantoccini::{Client, ClientBuilder, Locator};
 use hyper_util::client::legacy::connect::HttpConnector;
-use nix::sys::signal::{Signal, killpg};
+use nix::sys::signal::{Signal, kill, killpg};
 use nix::unistd::Pid;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -179,6 +179,31 @@ impl Browser {
             "goog/cdp/execute",
             &json!({"cmd": command, "params": parameters}),
         )
+    }
+
+    /// Sends a signal to each process that draws a page.
+    ///
+    /// # Panics
+    /// There is none.
+    #[allow(clippy::unwrap_used)]
+    pub fn signal_renderers(&self, signal: Signal) {
+        let group = Pid::from_raw(i32::try_from(self.driver.child.id()).unwrap());
+        let mut found = 0;
+        for process in std::fs::read_dir("/proc").unwrap().flatten() {
+            let command = std::fs::read(process.path().join("cmdline")).unwrap_or_default();
+            let id = process
+                .file_name()
+                .to_string_lossy()
+                .parse()
+                .map(Pid::from_raw);
+            let Ok(id) = id else { continue };
+            let draws = String::from_utf8_lossy(&command).contains("--type=renderer");
+            if draws && nix::unistd::getpgid(Some(id)) == Ok(group) {
+                found += 1;
+                kill(id, signal).unwrap();
+            }
+        }
+        assert!(found > 0, "no process draws a page");
     }
 
     /// Errors on the console so far.

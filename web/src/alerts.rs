@@ -112,7 +112,11 @@ pub(crate) fn AlertBar() -> impl IntoView {
             data-priority=move || top.with(|top| top.as_ref().map_or("none", |a| priority_key(a.priority)))
         >
             {move || match top.get() {
-                None => view! { <span class="quiet">"NO ALERTS"</span> <span class="alert-text"></span> }.into_any(),
+                None => {
+                    // What is not known is not "none".
+                    let none = move || if deck.own.with(Option::is_some) { "NO ALERTS" } else { "NO LINK: ALERTS NOT KNOWN" };
+                    view! { <span class="quiet" data-value="no-alerts">{none}</span> <span class="alert-text"></span> }.into_any()
+                }
                 Some(alert) => {
                     view! {
                         <Icon priority=alert.priority state=alert.state/>

@@ -1,20 +1,23 @@
 //! The page's frame: top bar, alert bar, and the view that the address names (`#/bridge`, `#/dialogue`, `#/decoder`, `#/about`).
 
-use crate::about::About;
 use crate::alerts::AlertBar;
 use crate::bridge::Bridge;
 use crate::deck::Deck;
-use crate::decoder::Decoder;
-use crate::dialogue::Dialogue;
+use crate::later::{Later, Parts};
+use crate::link::{self, InPage, Socket, each_frame};
 use crate::lookup::Dictionary;
+use crate::palette;
 use crate::top::{NoLink, TopBar};
-use crate::{link, palette};
 use leptos::prelude::*;
 use std::time::Duration;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+use web_sys::EventTarget;
+use wheelover_core::voyage::Voyage;
 
 /// Which view is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum View {
+pub enum View {
     /// The bridge view.
     Bridge,
     /// Both directions of the dialogue.
@@ -37,27 +40,58 @@ impl View {
 }
 
 /// Mounts the page: the whole of it, or the decoder alone in the file that works from a disk.
-pub fn start() {
+pub fn start(parts: Parts) {
     let alone = document()
         .document_element()
         .and_then(|root| root.get_attribute("data-page"))
         .is_some_and(|page| page == "decoder");
     if alone {
-        mount_to_body(DecoderAlone);
+        mount_to_body(move || view! { <DecoderAlone parts/> });
         return;
     }
-    let (deck, dictionary) = (Deck::new(), Dictionary::new());
+    let deck = Deck::new();
+    let socket = Socket::new(deck);
+    link::open(Box::new(socket.clone()));
     // What has come already is in what is drawn first.
-    link::open(deck);
-    mount_to_body(move || view! { <Page deck dictionary/> });
-    let mut beat = 0_u32;
+    socket.connect();
+    live(deck, parts);
+    reload_when_built_anew();
+}
+
+/// Mounts the page on a voyage that runs in it: the same page, without a server.
+pub fn sail(voyage: Voyage) {
+    let deck = Deck::new();
+    let voyage = InPage::new(deck, voyage);
+    link::open(Box::new(voyage.clone()));
+    voyage.sail();
+    live(deck, Parts::here());
+}
+
+/// Mounts the page, and keeps it awake: before each picture, four times a second, and when it is looked at again.
+fn live(deck: Deck, parts: Parts) {
+    let dictionary = Dictionary::new();
+    mount_to_body(move || view! { <Page deck dictionary parts/> });
+    each_frame(move || deck.look());
+    // The first picture after a sleep is judged before it is shown, and the last one before it is dead (FC6).
+    on(&window(), "pagehide", move || deck.leave(true));
+    on(&window(), "pageshow", move || deck.leave(false));
+    on(&document(), "freeze", move || deck.leave(true));
+    on(&document(), "resume", move || deck.leave(false));
+    on(&document(), "visibilitychange", move || {
+        deck.leave(document().hidden());
+    });
+    let (mut beat, mut fetched) = (0_u32, false);
     let tick = move || {
         beat = beat.wrapping_add(1);
-        deck.show();
-        link::watch(deck);
+        deck.look();
+        link::watch(deck.silent());
         if deck.own.with_untracked(Option::is_some) {
-            // What is shown first has come; from now on the decoder needs no server either.
+            // What is shown first has come; from now on the other views need no server either.
             dictionary.fetch();
+            if !std::mem::replace(&mut fetched, true) {
+                // What fails is fetched when it is opened.
+                leptos::task::spawn_local(async move { drop((parts.fetch)().await) });
+            }
         }
         if beat.is_multiple_of(2) {
             deck.flash.update(|on| *on = !*on);
@@ -65,11 +99,20 @@ pub fn start() {
     };
     let tick = std::cell::RefCell::new(tick);
     set_interval(move || (tick.borrow_mut())(), Duration::from_millis(250));
-    reload_when_built_anew();
+}
+
+/// Listens as long as the page lives.
+fn on(target: &EventTarget, event: &str, act: impl FnMut() + 'static) {
+    let listener = Closure::<dyn FnMut()>::new(act);
+    // Any target takes a listener.
+    let _listens =
+        target.add_event_listener_with_callback(event, listener.as_ref().unchecked_ref());
+    listener.forget();
 }
 
 #[component]
-fn Page(deck: Deck, dictionary: Dictionary) -> impl IntoView {
+fn Page(deck: Deck, dictionary: Dictionary, parts: Parts) -> impl IntoView {
+    provide_context(parts);
     provide_context(deck);
     provide_context(dictionary);
     let shown = || View::of(&window().location().hash().unwrap_or_default());
@@ -82,9 +125,7 @@ fn Page(deck: Deck, dictionary: Dictionary) -> impl IntoView {
             <AlertBar/>
             {move || match view.get() {
                 View::Bridge => view! { <Bridge/> }.into_any(),
-                View::Dialogue => view! { <Dialogue/> }.into_any(),
-                View::Decoder => view! { <Decoder/> }.into_any(),
-                View::About => view! { <About/> }.into_any(),
+                view => view! { <Later view/> }.into_any(),
             }}
             <NoLink/>
         </div>
@@ -93,7 +134,8 @@ fn Page(deck: Deck, dictionary: Dictionary) -> impl IntoView {
 
 /// The decoder without a server.
 #[component]
-fn DecoderAlone() -> impl IntoView {
+fn DecoderAlone(parts: Parts) -> impl IntoView {
+    provide_context(parts);
     provide_context(Dictionary::new());
     view! {
         <div class="page alone">
@@ -103,7 +145,7 @@ fn DecoderAlone() -> impl IntoView {
                 <span class="sources"></span>
                 <palette::Palettes/>
             </header>
-            <Decoder/>
+            <Later view=View::Decoder/>
         </div>
     }
 }
@@ -112,7 +154,6 @@ fn DecoderAlone() -> impl IntoView {
 fn reload_when_built_anew() {
     #[cfg(debug_assertions)]
     {
-        use wasm_bindgen::JsCast;
         use wasm_bindgen_futures::JsFuture;
         async fn newest() -> Option<String> {
             let answer = JsFuture::from(window().fetch_with_str("/build.txt"))

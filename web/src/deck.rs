@@ -1,20 +1,20 @@
 //! What the page knows: signals for the heard, the own and the link, fed by [`crate::link`], read by every component.
 
+use crate::clock::{Clock, Wakefulness};
 use crate::heard::{Agreement, Fold};
-use crate::link::{self, wall};
-use crate::reading::Readings;
+use crate::link::{self, steady, wall_clock};
+use crate::reading::{LINK_LOST_MS, Readings};
 use leptos::prelude::*;
-use std::time::Duration;
-use wheelover_core::time::Stamp;
-use wheelover_core::view::{
-    Answer, Hello, Lines, Order, Outline, PortView, RouteDocument, Snapshot,
-};
+use wheelover_core::view::{Answer, Hello, Lines, Outline, PortView, RouteDocument, Snapshot};
 
-/// A frame may be so late before the page lets its own clock run on, milliseconds on the wall.
-const BATCH: f64 = 300.0;
+/// What came is drawn at once, but no two pictures closer than this, milliseconds.
+const DRAW: f64 = 45.0;
 
-/// So long a refusal is shown.
-const REFUSAL: Duration = Duration::from_secs(20);
+/// Ages are drawn anew after this although nothing comes, milliseconds.
+const AGES: f64 = 250.0;
+
+/// A page that did not run for so long has slept: what waited for it is old, milliseconds (FC6).
+const ASLEEP: f64 = 2_000.0;
 
 /// What a hello says besides the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,41 +38,37 @@ pub(crate) struct Greeting {
 /// How the link is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct LinkAge {
-    /// Milliseconds on the wall since the last frame; none before the first.
+    /// Milliseconds since the last frame that was believed; none before the first.
     pub(crate) age: Option<u64>,
-    /// Frames so far: drives the heart-beat.
+    /// Believed frames so far: drives the heart-beat.
     pub(crate) frames: u64,
+}
+
+impl LinkAge {
+    /// Whether there is no link: nothing on the page may look alive.
+    #[must_use]
+    pub(crate) fn lost(self) -> bool {
+        self.age.is_none_or(|age| age > LINK_LOST_MS)
+    }
 }
 
 /// A command that waits for its answer.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Asked {
-    id: u64,
+    /// Its number.
+    pub(crate) id: u64,
     /// Which button asked.
     pub(crate) button: String,
-}
-
-/// The server's clock as the page knows it.
-#[derive(Clone, Copy, Debug, Default)]
-struct Clock {
-    heard: f64,
-    server: f64,
-    rate: f64,
-}
-
-impl Clock {
-    fn now(&self, wall: f64) -> Stamp {
-        let beyond = (wall - self.heard - BATCH).max(0.0);
-        Stamp((self.server + beyond * self.rate) as u64)
-    }
+    /// When it was sent, steady milliseconds.
+    pub(crate) at: f64,
 }
 
 /// The page's signals. A copy is a handle.
 #[derive(Clone, Copy)]
 pub(crate) struct Deck {
-    /// Everything shown, four times a second.
+    /// Everything shown.
     pub(crate) readings: RwSignal<Readings>,
-    /// The autopilot's own facts.
+    /// The autopilot's own facts; none without a link.
     pub(crate) own: RwSignal<Option<Snapshot>>,
     /// Who is at the other end.
     pub(crate) greeting: RwSignal<Option<Greeting>>,
@@ -98,7 +94,16 @@ pub(crate) struct Deck {
     pub(crate) log: RwSignal<u64>,
     fold: StoredValue<Fold>,
     clock: StoredValue<Clock>,
+    wakefulness: StoredValue<Wakefulness>,
+    /// The last snapshot of this connection, and whether it waits to be drawn.
+    latest: StoredValue<(Option<Snapshot>, bool)>,
     frames: StoredValue<u64>,
+    /// Something came that is not drawn yet.
+    waiting: StoredValue<bool>,
+    /// When the last picture was made, steady milliseconds.
+    drawn: StoredValue<f64>,
+    /// The page is about to stand still: until it is looked at again it shows nothing as alive.
+    leaving: StoredValue<bool>,
 }
 
 impl Deck {
@@ -121,7 +126,12 @@ impl Deck {
             log: RwSignal::new(0),
             fold: StoredValue::new(Fold::default()),
             clock: StoredValue::new(Clock::default()),
+            wakefulness: StoredValue::new(Wakefulness::default()),
+            latest: StoredValue::new((None, false)),
             frames: StoredValue::new(0),
+            waiting: StoredValue::new(false),
+            drawn: StoredValue::new(0.0),
+            leaving: StoredValue::new(false),
         }
     }
 
@@ -131,10 +141,10 @@ impl Deck {
         expect_context()
     }
 
-    /// When the last frame came, on the wall's clock.
+    /// Milliseconds since the last believed frame; none before the first.
     #[must_use]
-    pub(crate) fn heard_at(&self) -> f64 {
-        self.clock.with_value(|clock| clock.heard)
+    pub(crate) fn silent(&self) -> Option<u64> {
+        self.clock.with_value(|clock| clock.age(steady()))
     }
 
     /// Reads the fold: its log, its latest lines, its track made good.
@@ -142,28 +152,30 @@ impl Deck {
         self.fold.with_value(read)
     }
 
-    /// A frame came.
-    pub(crate) fn alive(&self) {
-        self.clock.update_value(|clock| clock.heard = wall());
-        self.frames.update_value(|frames| *frames += 1);
-    }
-
     /// A frame came that this page cannot read.
     pub(crate) fn misunderstood(&self) {
         self.misread.update(|count| *count += 1);
     }
 
+    /// Something came: it is drawn with the next picture. Frames that are not believed make nothing alive.
+    fn came(&self, believed: bool) {
+        self.frames
+            .update_value(|frames| *frames += u64::from(believed));
+        self.waiting.set_value(true);
+    }
+
     /// Takes a hello; gives back the number of the first line wanted.
-    pub(crate) fn greet(&self, hello: Hello) -> u64 {
+    pub(crate) fn greet(&self, hello: Hello, came: f64) -> u64 {
+        self.unanswered();
         let wanted = self
             .fold
             .try_update_value(|fold| fold.greet(&hello))
             .unwrap_or(1);
-        self.clock.update_value(|clock| {
-            clock.server = hello.at as f64;
-            clock.rate = hello.rate;
-        });
-        self.asked.set(Vec::new());
+        self.clock
+            .update_value(|clock| clock.greet(came, hello.at, hello.rate));
+        // Own facts of another connection are of another time.
+        self.latest.set_value((None, false));
+        self.came(true);
         self.greeting.set(Some(Greeting {
             build: hello.build,
             dictionary: hello.dictionary,
@@ -179,71 +191,111 @@ impl Deck {
     }
 
     /// Takes a snapshot.
-    pub(crate) fn snapshot(&self, snapshot: Snapshot) {
-        self.clock.update_value(|clock| {
-            clock.rate = snapshot.rate;
-            // Lines of the same moment may still be under way.
-            let behind = snapshot.at as f64 - BATCH * snapshot.rate;
-            clock.server = clock.server.max(behind);
-        });
-        let agreement = self.fold.try_update_value(|fold| {
-            fold.snapshot(&snapshot);
-            fold.agreement
-        });
-        if let Some(agreement) = agreement
-            && agreement != self.agreement.get_untracked()
-        {
-            self.agreement.set(agreement);
-        }
-        let fast = snapshot.rate > 2.5;
-        let first = self.own.with_untracked(Option::is_none);
-        self.own.set(Some(snapshot));
-        if fast || first {
-            self.show();
+    pub(crate) fn snapshot(&self, snapshot: Snapshot, came: f64) {
+        let believed = self
+            .clock
+            .try_update_value(|clock| clock.snapshot(came, snapshot.at, snapshot.rate));
+        self.came(believed == Some(true));
+        self.fold.update_value(|fold| fold.snapshot(&snapshot));
+        if believed == Some(true) {
+            self.latest.set_value((Some(snapshot), true));
         }
     }
 
     /// Folds lines. False where some are missing.
-    pub(crate) fn lines(&self, lines: &Lines) -> bool {
+    pub(crate) fn lines(&self, lines: &Lines, came: f64) -> bool {
         let folded = self
             .fold
-            .try_update_value(|fold| (fold.lines(lines), fold.line_at, fold.utc));
-        let Some((whole, line_at, utc)) = folded else {
+            .try_update_value(|fold| (fold.lines(lines), fold.line_at));
+        let Some((whole, line_at)) = folded else {
             return false;
         };
-        self.clock
-            .update_value(|clock| clock.server = clock.server.max(line_at.0 as f64));
-        if let Some((seconds, at)) = utc {
-            let now = self.clock.with_value(|clock| clock.now(wall()));
-            self.utc
-                .set(Some(libm::floor(seconds + now.since(at) as f64 / 1000.0)));
-        }
+        let believed = self
+            .clock
+            .try_update_value(|clock| clock.line(came, line_at));
+        self.came(believed == Some(true));
         self.log.update(|count| *count += 1);
         whole
     }
 
-    /// Makes the readings anew: ages run on although nothing comes.
-    pub(crate) fn show(&self) {
+    /// Looks at the clocks before each picture of the browser, and four times a second: draws what came, lets ages run on,
+    /// and finds out that the page or its computer has slept.
+    pub(crate) fn look(&self) {
+        let now = steady();
+        let absence = self
+            .wakefulness
+            .try_update_value(|wakefulness| wakefulness.look(now, wall_clock()))
+            .unwrap_or_default();
+        self.clock.update_value(|clock| clock.slept(absence.slept));
+        let slept = absence.stood.max(absence.slept) > ASLEEP;
+        let since = now - self.drawn.get_value();
+        if slept || since >= AGES || self.waiting.get_value() && since >= DRAW {
+            self.show();
+        }
+        if slept && !document().hidden() {
+            // A socket may look open and be dead, or full of what is long past.
+            link::renew();
+        }
+    }
+
+    /// The page is about to stand still, or is looked at again: what was drawn before must not be the first that is seen.
+    pub(crate) fn leave(&self, leaving: bool) {
+        self.leaving.set_value(leaving);
+        self.show();
+        if !leaving {
+            self.look();
+        }
+    }
+
+    /// Makes everything shown anew.
+    fn show(&self) {
+        let now = steady();
+        self.waiting.set_value(false);
+        self.drawn.set_value(now);
         let clock = self.clock.get_value();
-        let wall = wall();
-        let frames = self.frames.get_value();
-        let age = (frames > 0).then_some((wall - clock.heard).max(0.0) as u64);
-        let link = LinkAge { age, frames };
-        let now = clock.now(wall);
-        let readings = self.own.with_untracked(|own| {
+        let mut age = clock.age(now);
+        if self.leaving.get_value() {
+            age = age.map(|age| age.max(LINK_LOST_MS + 1));
+        }
+        let link = LinkAge {
+            age,
+            frames: self.frames.get_value(),
+        };
+        let stamp = clock.stamp(now);
+        let readings = self.latest.with_value(|(own, _)| {
             self.with_fold(|fold| {
-                Readings::of(&fold.picture, own.as_ref(), now, age.unwrap_or(u64::MAX))
+                Readings::of(&fold.picture, own.as_ref(), stamp, age.unwrap_or(u64::MAX))
             })
         });
         let readings = self.calm(readings);
         self.link.set(link);
+        self.show_own(link);
         self.readings.set(readings);
-        if age.is_none_or(|age| age > crate::reading::LINK_LOST_MS) {
-            self.utc.set(None);
-        }
+        let utc = self.with_fold(|fold| fold.utc).filter(|_| !link.lost());
+        self.utc
+            .set(utc.map(|(seconds, at)| libm::floor(seconds + stamp.since(at) as f64 / 1000.0)));
         let agreement = self.with_fold(|fold| fold.agreement);
         if agreement != self.agreement.get_untracked() {
             self.agreement.set(agreement);
+        }
+        self.hurry(clock.age(now).is_none_or(|age| age > LINK_LOST_MS));
+    }
+
+    /// Own facts live and die with the link, all together.
+    fn show_own(&self, link: LinkAge) {
+        if link.lost() {
+            if self.own.with_untracked(Option::is_some) {
+                self.own.set(None);
+                // Alive again only with a snapshot that is still to come.
+                self.latest.update_value(|latest| latest.1 = false);
+            }
+            return;
+        }
+        let fresh = self
+            .latest
+            .try_update_value(|(own, fresh)| std::mem::take(fresh).then(|| own.clone()));
+        if let Some(Some(own)) = fresh {
+            self.own.set(own);
         }
     }
 
@@ -257,40 +309,6 @@ impl Deck {
             readings.rot.value = Some(old + (raw - old) * (1.0 - libm::exp(-passed)));
         }
         readings
-    }
-
-    /// Sends a command for a button.
-    pub(crate) fn command(&self, button: &str, action: Order) {
-        match link::command(action) {
-            Some(id) => {
-                self.asked.update(|asked| {
-                    asked.push(Asked {
-                        id,
-                        button: button.to_owned(),
-                    })
-                });
-            }
-            None => self.answer.set(Some(Answer {
-                id: 0,
-                ok: false,
-                text: "no link: nothing was sent".to_owned(),
-            })),
-        }
-    }
-
-    /// Takes an answer.
-    pub(crate) fn answered(&self, answer: Answer) {
-        self.asked
-            .update(|asked| asked.retain(|asked| asked.id != answer.id));
-        let (id, shown) = (answer.id, self.answer);
-        self.answer.set(Some(answer));
-        // A refusal need not stand beside a mode that has long changed.
-        let fade = move || {
-            if shown.with_untracked(|shown| shown.as_ref().is_some_and(|shown| shown.id == id)) {
-                shown.set(None);
-            }
-        };
-        set_timeout(fade, REFUSAL);
     }
 }
 

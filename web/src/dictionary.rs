@@ -2,8 +2,14 @@
 
 #[cfg(target_arch = "wasm32")]
 mod export {
+    use std::cell::RefCell;
     use wasm_bindgen::prelude::wasm_bindgen;
     use wheelover_web::explained;
+    use wheelover_web::text::Text;
+
+    thread_local! {
+        static TEXT: RefCell<Text> = RefCell::default();
+    }
 
     /// A line as chips; `chosen` is the field that was tapped, less than 0 for none.
     #[wasm_bindgen]
@@ -19,15 +25,40 @@ mod export {
         explained::table(text, usize::try_from(chosen).ok())
     }
 
-    /// A text of many lines: words, a line end, tables.
+    /// Begins to read a text of many lines.
+    #[wasm_bindgen]
+    pub fn begin() {
+        TEXT.take();
+    }
+
+    /// Reads its next part.
+    #[wasm_bindgen]
+    pub fn take(bytes: &[u8]) {
+        TEXT.with_borrow_mut(|text| text.take(bytes));
+    }
+
+    /// Ends it.
+    #[wasm_bindgen]
+    pub fn end() {
+        TEXT.with_borrow_mut(Text::end);
+    }
+
+    /// What it holds so far, in words.
     #[wasm_bindgen]
     #[must_use]
-    pub fn whole(text: &str) -> String {
-        explained::document(text)
+    pub fn words() -> String {
+        TEXT.with_borrow(Text::words)
+    }
+
+    /// Its lines as tables.
+    #[wasm_bindgen]
+    #[must_use]
+    pub fn tables() -> String {
+        TEXT.with_borrow(Text::tables)
     }
 }
 
 #[cfg(target_arch = "wasm32")]
-pub use export::{chips, table, whole};
+pub use export::{begin, chips, end, table, tables, take, words};
 
 fn main() {}

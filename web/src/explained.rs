@@ -1,19 +1,11 @@
-//! Lines explained, as markup: chips to tap, a table with names, values, units, meanings, faults and hints, a whole text.
+//! Lines explained, as markup: chips to tap, a table with names, values, units, meanings, faults and hints.
 //!
 //! This belongs to the dictionary's module, which holds the texts; the page only shows it.
 
 use crate::drawing::Drawing;
 use crate::format;
 use crate::heard::latin1;
-use crate::message;
-use wheelover_core::nmea::ais::Gatherer;
 use wheelover_core::nmea::{JsonField, JsonLine, JsonValue, decode, json_line};
-use wheelover_core::time::Stamp;
-
-/// At most so many lines of a text are explained at once.
-const SHOWN: usize = 100;
-/// At most so many lines of a text are searched for faults.
-const SEARCHED: usize = 20_000;
 
 fn explain(number: u64, text: &str) -> JsonLine {
     json_line(number, None, &decode(&latin1(text)))
@@ -77,52 +69,8 @@ pub fn table(text: &str, chosen: Option<usize>) -> String {
     drawing.markup()
 }
 
-/// A text of many lines: what it holds in one line of words, then each line as a table behind a line end.
-#[must_use]
-pub fn document(text: &str) -> String {
-    let lines = || {
-        text.lines()
-            .enumerate()
-            .filter(|(_, line)| !line.trim().is_empty())
-            .map(|(index, line)| (index as u64 + 1, sentence(line)))
-    };
-    let all = lines().count();
-    let faulty = lines()
-        .take(SEARCHED)
-        .filter(|(_, line)| !decode(&latin1(line)).faults().is_empty())
-        .count();
-    let mut drawing = Drawing::new();
-    match all {
-        0 => drawing.say("no lines"),
-        1 => drawing.say(format_args!("1 line, {faulty} with faults")),
-        _ => drawing.say(format_args!("{all} lines, {faulty} with faults")),
-    };
-    if all > SEARCHED {
-        drawing.say(format_args!(" among the first {SEARCHED}"));
-    }
-    if all > SHOWN {
-        drawing.say(format_args!("; the first {SHOWN} are explained"));
-    }
-    drawing.plain("\n");
-    let mut gatherer = Gatherer::new();
-    for (number, line) in lines().take(SHOWN) {
-        article(&mut drawing, &explain(number, line), None);
-        // One after the other, as fast as they were typed: no message waits too long for its rest.
-        if let Some(complete) = gatherer.push(Stamp(0), &decode(&latin1(line))) {
-            message::draw(&mut drawing, &complete);
-        }
-    }
-    drawing.markup()
-}
-
-/// The sentence of a line: what stands before its start (a time, a direction) is left away.
-fn sentence(line: &str) -> &str {
-    let line = line.trim();
-    let start = line.find(['$', '!', '\\']).unwrap_or(0);
-    line.get(start..).unwrap_or(line)
-}
-
-fn article(drawing: &mut Drawing, line: &JsonLine, chosen: Option<usize>) {
+/// A sentence with all its fields.
+pub(crate) fn article(drawing: &mut Drawing, line: &JsonLine, chosen: Option<usize>) {
     let name = match line.sentence.as_str() {
         "" => "no sentence",
         name => name,
@@ -256,29 +204,5 @@ mod tests {
         let table = table(text, Some(3));
         assert!(table.contains("data-explained=\"3\""));
         assert!(table.contains("data-faults=\"1\""), "{table}");
-    }
-
-    #[test]
-    fn the_message_stands_under_the_line_that_completes_it() {
-        let text = document("!AIVDM,1,1,,A,15RTgt0PAso;90TKcjM8h6g208CQ,0*4A");
-        assert!(text.contains("data-message=\"1\""), "{text}");
-        assert!(text.contains("371798000") && text.contains("under way using engine"));
-    }
-
-    #[test]
-    fn a_text_says_how_many_lines_have_faults() {
-        let said = |text: &str| document(text).lines().next().unwrap_or_default().to_owned();
-        assert_eq!(said(" \n"), "no lines");
-        assert_eq!(
-            said("$EIHTC,V,,,T,R,,,,,245.0,T,C*00"),
-            "1 line, 1 with faults"
-        );
-        let good = "12.250 < $HEHDT,216.8,T*22\r\n";
-        assert_eq!(
-            said(&good.repeat(101)),
-            "101 lines, 0 with faults; the first 100 are explained"
-        );
-        let odd = document("<script>alert(1)</script>");
-        assert!(!odd.contains("<script"), "{odd}");
     }
 }

@@ -10,12 +10,14 @@
 //! `fault-gyro-jump`, `fault-position-jump`, `current`, `north-up`, `head-up`, `course-up`, `range-in`, `range-out`,
 //! `palette`. All that moves the rudder but STANDBY is pressed and then confirmed.
 //!
-//! **Invariant:** nothing older than its limit is shown as live: ages are computed here, four times a second.
+//! **Invariant:** nothing older than its limit is shown as live: ages are computed here, by a clock that nobody can set, before
+//! each picture that the browser paints.
 #![allow(
     unreachable_pub,
     reason = "Leptos makes a public item of every component"
 )]
 
+pub mod clock;
 pub mod drawing;
 pub mod explained;
 pub mod format;
@@ -24,6 +26,7 @@ pub mod heard;
 mod message;
 pub mod plan;
 pub mod reading;
+pub mod text;
 
 #[cfg(target_arch = "wasm32")]
 mod about;
@@ -32,6 +35,8 @@ mod alerts;
 #[cfg(target_arch = "wasm32")]
 pub mod app;
 #[cfg(target_arch = "wasm32")]
+mod asking;
+#[cfg(target_arch = "wasm32")]
 mod bridge;
 #[cfg(target_arch = "wasm32")]
 mod deck;
@@ -39,6 +44,8 @@ mod deck;
 mod decoder;
 #[cfg(target_arch = "wasm32")]
 mod dialogue;
+#[cfg(target_arch = "wasm32")]
+pub mod later;
 #[cfg(target_arch = "wasm32")]
 mod link;
 #[cfg(target_arch = "wasm32")]

@@ -1,6 +1,6 @@
 //! The way to the dictionary's own module: fetched once, as soon as the page is alive or something is to be explained.
 
-use js_sys::{Function, Promise, Reflect};
+use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
 use leptos::prelude::*;
 use std::cell::RefCell;
 use std::time::Duration;
@@ -54,34 +54,64 @@ impl Dictionary {
         });
     }
 
+    /// Whether the dictionary is there.
+    pub(crate) fn is_ready(self) -> bool {
+        self.ready.get()
+    }
+
     /// A line as chips; nothing while the dictionary is under way.
     pub(crate) fn chips(self, text: &str, chosen: Option<usize>) -> Option<String> {
-        self.call("chips", text, chosen)
+        self.line("chips", text, chosen)
     }
 
     /// A line as a table.
     pub(crate) fn table(self, text: &str, chosen: Option<usize>) -> Option<String> {
-        self.call("table", text, chosen)
+        self.line("table", text, chosen)
     }
 
-    /// What a text holds in words, and its lines as tables.
-    pub(crate) fn document(self, text: &str) -> Option<(String, String)> {
-        let answer = self.call("whole", text, None)?;
-        let (words, tables) = answer.split_once('\n')?;
-        Some((words.to_owned(), tables.to_owned()))
+    /// Begins to read a text of many lines; nothing while the dictionary is under way.
+    pub(crate) fn begin(self) -> Option<()> {
+        self.call("begin", &[]).map(drop)
     }
 
-    fn call(self, name: &str, text: &str, chosen: Option<usize>) -> Option<String> {
-        if !self.ready.get() {
+    /// Reads its next part.
+    pub(crate) fn take(self, bytes: &Uint8Array) {
+        self.call("take", &[bytes]);
+    }
+
+    /// Ends it; gives what it holds as tables.
+    pub(crate) fn end(self) -> String {
+        self.call("end", &[]);
+        self.text("tables")
+    }
+
+    /// What it holds so far, in words.
+    pub(crate) fn words(self) -> String {
+        self.text("words")
+    }
+
+    fn text(self, name: &str) -> String {
+        self.call(name, &[])
+            .and_then(|text| text.as_string())
+            .unwrap_or_default()
+    }
+
+    fn line(self, name: &str, text: &str, chosen: Option<usize>) -> Option<String> {
+        let chosen = JsValue::from_f64(chosen.map_or(-1.0, |n| n as f64));
+        self.call(name, &[&JsValue::from_str(text), &chosen])?
+            .as_string()
+    }
+
+    fn call(self, name: &str, arguments: &[&JsValue]) -> Option<JsValue> {
+        if self.ready.try_get() != Some(true) {
             return None;
         }
         MODULE.with_borrow(|module| {
             let module = module.as_ref()?;
             let function = Reflect::get(module, &JsValue::from_str(name)).ok()?;
-            let chosen = chosen.map_or(-1.0, |n| n as f64);
             let function: Function = function.dyn_into().ok()?;
-            let (text, chosen) = (JsValue::from_str(text), JsValue::from_f64(chosen));
-            function.call2(module, &text, &chosen).ok()?.as_string()
+            let list: Array = arguments.iter().copied().collect();
+            function.apply(module, &list).ok()
         })
     }
 }

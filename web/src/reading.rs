@@ -103,7 +103,7 @@ pub const fn state_name(state: Freshness) -> &'static str {
     }
 }
 
-/// Everything the bridge view shows, made anew four times a second.
+/// Everything the bridge view shows, made anew when something came, and four times a second.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Readings {
     /// Server time for which the ages hold.
@@ -144,8 +144,8 @@ pub struct Readings {
     pub drift: Reading<f64>,
 }
 
-/// Past this age of the link every value is lost.
-pub const LINK_LOST_MS: u64 = 5_000;
+/// Past this age there is no link: every value, heard or own, is dead at once.
+pub const LINK_LOST_MS: u64 = 2_000;
 
 impl Readings {
     /// From what was heard and what the autopilot says of itself.

@@ -25,6 +25,10 @@ pub(crate) const fn words(situation: u8) -> &'static str {
 /// The situation: from our chart-system side, else from what a foreign one says.
 #[must_use]
 pub(crate) fn current(deck: Deck) -> Option<u8> {
+    // Heard sentences are believed longer than the link.
+    if deck.link.get().lost() {
+        return None;
+    }
     let own = deck.own.with(|own| {
         own.as_ref()
             .and_then(|s| s.chart.as_ref())

@@ -48,7 +48,7 @@ pub(crate) fn TopBar(view: RwSignal<View>) -> impl IntoView {
                 .map(|own| own.mode)
         })
     });
-    let linked = Memo::new(move |_| deck.link.get().age.is_some_and(|age| age <= 5_000));
+    let linked = Memo::new(move |_| !deck.link.get().lost());
     let title = move || match (linked.get(), mode.get()) {
         (true, Some(mode)) => mode_title(mode),
         _ => "- - -",
@@ -124,12 +124,15 @@ fn Sources() -> impl IntoView {
 #[component]
 fn LinkMark() -> impl IntoView {
     let deck = Deck::here();
-    let age = Memo::new(move |_| deck.link.get().age.map(|age| age / 100 * 100));
+    let age = Memo::new(move |_| {
+        let link = deck.link.get();
+        (link.age.map(|age| age / 100 * 100), link.lost())
+    });
     let state = move || match age.get() {
-        None => "never",
-        Some(0..=1_000) => "valid",
-        Some(1_001..=2_000) => "late",
-        Some(_) => "lost",
+        (None, _) => "never",
+        (_, true) => "lost",
+        (Some(0..=1_000), _) => "valid",
+        _ => "late",
     };
     let place = move || {
         if (deck.link.get().frames / 10).is_multiple_of(2) {
@@ -143,26 +146,36 @@ fn LinkMark() -> impl IntoView {
             <svg viewBox="0 0 14 14" aria-hidden="true"><circle cx=place cy="7" r="4"/></svg>
             <span data-value="link-age" data-state=state>
                 {move || match age.get() {
-                    None => "NO LINK".to_owned(),
-                    Some(age @ 0..=2_000) => format!("LIVE {}", format::age(age)),
-                    Some(age) => format!("LOST {}", format::age(age)),
+                    (None, _) => "NO LINK".to_owned(),
+                    (Some(age), false) => format!("LIVE {}", format::age(age)),
+                    (Some(age), true) => format!("LOST {}", format::age(age)),
                 }}
             </span>
         </span>
     }
 }
 
-/// The veil over the page when nothing comes.
+/// The veil over the page while nothing comes, also before anything came; what was pressed and not sent stands there.
 #[component]
 pub(crate) fn NoLink() -> impl IntoView {
     let deck = Deck::here();
-    let age = Memo::new(move |_| match deck.link.get().age {
-        Some(age) if age > 2_000 => Some(age / 1_000),
-        _ => None,
+    let lost = Memo::new(move |_| {
+        let link = deck.link.get();
+        link.lost().then(|| {
+            link.age.map_or_else(
+                || "NO LINK".to_owned(),
+                |age| format!("NO LINK {} s", age / 1_000),
+            )
+        })
+    });
+    let unsent = Memo::new(move |_| {
+        deck.answer
+            .with(|answer| answer.as_ref().filter(|a| !a.ok).map(|a| a.text.clone()))
     });
     view! {
-        <div class="veil" class:hidden=move || age.get().is_none() role="status">
-            <b>{move || age.get().map(|age| format!("NO LINK {age} s"))}</b>
+        <div class="veil" class:hidden=move || lost.with(Option::is_none) data-value="no-link">
+            <b role="status">{move || lost.get()}</b>
+            <b role="alert" class:hidden=move || unsent.with(Option::is_none)>{move || unsent.get()}</b>
         </div>
     }
 }

@@ -1,12 +1,12 @@
 //! The controls: STANDBY at one press; AUTO, its heading and AutoNAV by press and confirm; the reason for the mode.
 
 use crate::deck::Deck;
-use crate::link::wall;
+use crate::link::steady;
 use crate::{format, top};
 use leptos::prelude::*;
 use wheelover_core::view::{ModeName, ModeRequest, Order, Own};
 
-/// A press waits so long for its confirmation, milliseconds on the wall.
+/// A press waits so long for its confirmation, steady milliseconds.
 const CONFIRM: f64 = 8_000.0;
 
 /// What a press asks for, until it is confirmed.
@@ -56,11 +56,12 @@ pub(super) fn Control() -> impl IntoView {
     // A press that is not confirmed lapses.
     Effect::new(move |_| {
         deck.readings.track();
-        if armed.with_untracked(|armed| armed.as_ref().is_some_and(|(_, until)| wall() > *until)) {
+        if armed.with_untracked(|armed| armed.as_ref().is_some_and(|(_, until)| steady() > *until))
+        {
             armed.set(None);
         }
     });
-    let arm = move |what: Armed| armed.set(Some((what, wall() + CONFIRM)));
+    let arm = move |what: Armed| armed.set(Some((what, steady() + CONFIRM)));
     let nudge = move |degrees: f64| {
         let before = match armed.get_untracked() {
             Some((Armed::Turn(sum), _)) => sum,
@@ -79,7 +80,7 @@ pub(super) fn Control() -> impl IntoView {
         deck.readings.track();
         armed.with(|armed| {
             armed.as_ref().map_or_else(String::new, |(what, until)| {
-                let seconds = format::fixed(((until - wall()) / 1_000.0).max(0.0), 0);
+                let seconds = format::fixed(((until - steady()) / 1_000.0).max(0.0), 0);
                 format!("{} ({seconds})", what.words(set.get()))
             })
         })
@@ -110,7 +111,6 @@ pub(super) fn Control() -> impl IntoView {
                 class="standby"
                 data-command="standby"
                 aria-pressed=move || pressed(mode.get() == Some(ModeName::Standby))
-                disabled=move || !may.get()
                 on:click=move |_| {
                     armed.set(None);
                     deck.command("standby", Order::Mode(ModeRequest::Standby));
@@ -192,6 +192,7 @@ fn why(deck: Deck, own: &Memo<Option<Own>>) -> String {
     });
     let why = own.with(|own| own.as_ref().map(|own| own.why.clone()).unwrap_or_default());
     match refused {
+        Some(unsent) if unsent.starts_with("NO ") => unsent,
         Some(refused) => format!("Refused: {refused}"),
         None => why,
     }
