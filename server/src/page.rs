@@ -55,6 +55,9 @@ pub fn answer(bundle: Bundle, path: &str, asked: &HeaderMap, body: bool) -> Resp
     if let Ok(tag) = HeaderValue::from_str(&tag) {
         headers.insert(header::ETAG, tag);
     }
+    if let Some(policy) = inline_policy(bundle, name) {
+        headers.insert(header::CONTENT_SECURITY_POLICY, policy);
+    }
     if has_tag(asked, &tag) {
         *answer.status_mut() = StatusCode::NOT_MODIFIED;
         return answer;
@@ -74,6 +77,21 @@ pub fn answer(bundle: Bundle, path: &str, asked: &HeaderMap, body: bool) -> Resp
         };
     }
     answer
+}
+
+/// The policy of the one page that carries its scripts in itself, since it also works from a disk: what the bundler found
+/// in it may run, by its hash, and nothing may be fetched.
+fn inline_policy(bundle: Bundle, name: &str) -> Option<HeaderValue> {
+    if name != "decoder.html" {
+        return None;
+    }
+    let found = bundle("decoder.policy")?;
+    let (scripts, styles) = std::str::from_utf8(&found.data).ok()?.split_once('\n')?;
+    let policy = format!(
+        "default-src 'none'; script-src 'wasm-unsafe-eval' {scripts}; style-src {styles}; img-src data:; \
+         base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    );
+    HeaderValue::from_str(&policy).ok()
 }
 
 /// A short answer in plain text.

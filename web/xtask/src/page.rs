@@ -61,7 +61,7 @@ fn profile(release: bool) -> &'static str {
 
 /// `cargo build` of the page.
 pub(crate) fn compiler(release: bool) -> Command {
-    cargo(&[
+    let mut command = cargo(&[
         "build",
         "--package",
         "wheelover-web",
@@ -70,7 +70,12 @@ pub(crate) fn compiler(release: bool) -> Command {
         WASM,
         "--profile",
         profile(release),
-    ])
+    ]);
+    if release {
+        // Views other than the bridge become parts of their own.
+        command.args(["--features", "split"]);
+    }
+    command
 }
 
 /// `cargo build` or `cargo run` of the program that bundles.

@@ -85,6 +85,12 @@ pub(crate) fn fingerprint(content: &[u8]) -> String {
     format!("{:012x}", hash >> 16)
 }
 
+/// SHA-256, as a browser computes it for a content security policy.
+pub(crate) fn sha256(content: &[u8]) -> [u8; 32] {
+    use sha2::Digest;
+    sha2::Sha256::digest(content).into()
+}
+
 /// Standard base64 with padding.
 pub(crate) fn base64(content: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

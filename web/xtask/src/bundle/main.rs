@@ -4,9 +4,11 @@
 //! Layout: `index.html`, `decoder.html`, `sw.js`, `manifest.webmanifest`, `build.txt` and icons have fixed names; all
 //! that stands under `assets/` is named by its content and may be cached for ever. Each has a `.br` and a `.gz` beside it.
 
+mod cut;
 mod files;
 
-use files::{Compression, base64, fingerprint, pack, write};
+use cut::Cut;
+use files::{Compression, base64, fingerprint, pack, sha256, write};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -33,14 +35,47 @@ fn main() -> ExitCode {
 }
 
 fn bundle(built: &Path, release: bool) -> Result<u64, Failure> {
-    let page = bind(built, "wheelover-web", release)?;
-    let dictionary = bind(built, "wheelover-dictionary", release)?;
+    let compiled = |name: &str| built.join(format!("{name}.wasm"));
+    let dictionary = bind(&compiled("wheelover-dictionary"), "dictionary", release)?;
+    let pages = if release {
+        cut_page(&compiled("wheelover-web"))?
+    } else {
+        Pages {
+            whole: bind(&compiled("wheelover-web"), "page", release)?,
+            cut: None,
+        }
+    };
     let compression = if release {
         Compression::Small
     } else {
         Compression::Quick
     };
-    lay(&page, &dictionary, compression)
+    lay(&pages, &dictionary, compression)
+}
+
+/// The page in one piece, for the file that works from a disk, and cut, for the server.
+struct Pages {
+    whole: Page,
+    cut: Option<(Page, Cut)>,
+}
+
+fn cut_page(compiled: &Path) -> Result<Pages, Failure> {
+    let folder = target().join("xtask-bindgen").join("cut");
+    std::fs::create_dir_all(&folder).map_err(|error| Failure::file(&folder, &error))?;
+    let cut = cut::cut(compiled, &folder)?;
+    let mut page = bind(&cut.main, "page", true)?;
+    page.script = cut.join(&page.script)?;
+    let input = std::fs::read(compiled).map_err(|error| Failure::file(compiled, &error))?;
+    let lean = cut::without_relocations(&input)
+        .ok_or_else(|| Failure::new("the compiled page is no module of wasm"))?;
+    let path = folder.join("whole.wasm");
+    write(&path, &lean)?;
+    let mut whole = bind(&path, "whole", true)?;
+    whole.script = cut::join_whole(&whole.script)?;
+    Ok(Pages {
+        whole,
+        cut: Some((page, cut)),
+    })
 }
 
 /// The page after wasm-bindgen.
@@ -49,15 +84,17 @@ struct Page {
     wasm: Vec<u8>,
 }
 
-fn bind(built: &Path, name: &str, release: bool) -> Result<Page, Failure> {
+fn bind(compiled: &Path, name: &str, release: bool) -> Result<Page, Failure> {
     let folder = target().join("xtask-bindgen").join(name);
     let failed = |error: &dyn std::fmt::Display| Failure::new(format!("wasm-bindgen: {error}"));
     let mut bindgen = Bindgen::new();
     bindgen
-        .input_path(built.join(format!("{name}.wasm")))
+        .input_path(compiled)
         .out_name("page")
         .typescript(false)
         .omit_default_module_path(true)
+        // Parts that are cut out are entered through what the linker exported.
+        .keep_lld_exports(release && name != "dictionary")
         .remove_name_section(release)
         .remove_producers_section(true);
     let mut output = bindgen
@@ -82,7 +119,11 @@ fn bind(built: &Path, name: &str, release: bool) -> Result<Page, Failure> {
 }
 
 /// Writes the folder; gives back the bytes of a first load.
-fn lay(page: &Page, dictionary: &Page, compression: Compression) -> Result<u64, Failure> {
+fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64, Failure> {
+    let (whole, page) = (
+        &pages.whole,
+        pages.cut.as_ref().map_or(&pages.whole, |(page, _)| page),
+    );
     let dist = root().join("web/dist");
     let fixed = root().join("static");
     clear(&dist.join("assets"))?;
@@ -98,11 +139,15 @@ fn lay(page: &Page, dictionary: &Page, compression: Compression) -> Result<u64, 
     let decoder = text(&fixed.join("decoder.html"))?
         .replace("{{style}}", &style(&fixed)?)
         .replace("{{palette}}", &text(&fixed.join("palette.js"))?)
-        .replace("{{script}}", &page.script)
-        .replace("{{wasm}}", &base64(&page.wasm))
+        .replace("{{script}}", &whole.script)
+        .replace("{{wasm}}", &base64(&whole.wasm))
         .replace("{{dictionary_script}}", &dictionary.script)
         .replace("{{dictionary_wasm}}", &base64(&dictionary.wasm));
     put("decoder.html", decoder.as_bytes())?;
+    // What the server lets the file run that stands in it, and nothing else.
+    let allowed = [("<script", "</script>"), ("<style", "</style>")]
+        .map(|(open, close)| inline(&decoder, open, close).join(" "));
+    write(&dist.join("decoder.policy"), allowed.join("\n").as_bytes())?;
     let later = |stem: &str, ending: &str, content: &[u8]| -> Result<String, Failure> {
         let name = format!("assets/{stem}-{}.{ending}", fingerprint(content));
         put(&name, content)?;
@@ -118,6 +163,12 @@ fn lay(page: &Page, dictionary: &Page, compression: Compression) -> Result<u64, 
     // Fetched later, so not part of the first load.
     let dictionary_wasm = later("dictionary", "wasm", &dictionary.wasm)?;
     let dictionary_script = later("dictionary", "js", dictionary.script.as_bytes())?;
+    let mut parts = Vec::new();
+    for (_, content) in pages.cut.iter().flat_map(|(_, cut)| &cut.parts) {
+        let name = format!("assets/{}", Cut::laid(content));
+        put(&name, content)?;
+        parts.push(format!("/{name}"));
+    }
     let start = text(&fixed.join("start.js"))?
         .replace("{{script}}", &script)
         .replace("{{wasm}}", &wasm)
@@ -145,7 +196,10 @@ fn lay(page: &Page, dictionary: &Page, compression: Compression) -> Result<u64, 
         &dictionary_wasm,
         &dictionary_script,
     ]
-    .map(|name| format!("\"{name}\""));
+    .into_iter()
+    .chain(&parts)
+    .map(|name| format!("\"{name}\""))
+    .collect::<Vec<_>>();
     let worker = text(&fixed.join("sw.js"))?
         .replace("{{build}}", &build)
         .replace("\"{{assets}}\"", &kept.join(", "));
@@ -167,6 +221,15 @@ fn lay(page: &Page, dictionary: &Page, compression: Compression) -> Result<u64, 
     }
     pack(&packed.borrow(), compression)?;
     first_load.iter().map(|path| length(path)).sum()
+}
+
+/// Sources of a content security policy for what stands inline in elements that begin and end so.
+fn inline(page: &str, open: &str, close: &str) -> Vec<String> {
+    let source = |rest: &str| {
+        let content = rest.split_once('>')?.1.split_once(close)?.0;
+        Some(format!("'sha256-{}'", base64(&sha256(content.as_bytes()))))
+    };
+    page.split(open).skip(1).filter_map(source).collect()
 }
 
 fn style(fixed: &Path) -> Result<String, Failure> {
