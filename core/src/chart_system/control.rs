@@ -42,7 +42,7 @@ impl Control {
 }
 
 fn refuse<T>(reason: impl Into<String>) -> Result<T, Refusal> {
-    Err(Refusal::because(reason.into()))
+    Err(Refusal(reason.into()))
 }
 
 impl ChartSystem {

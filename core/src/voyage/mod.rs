@@ -14,7 +14,7 @@ mod setup;
 use crate::alerts::Standing;
 use crate::autopilot::Autopilot;
 use crate::chart_system::ChartSystem;
-use crate::command::{Answer, FaultKind, Order, Origin};
+use crate::command::{Answer, FaultKind, Order};
 use crate::picture::Picture;
 use crate::route::Route;
 use crate::settings::Value;
@@ -48,14 +48,12 @@ pub enum Event {
         /// Whether it is there.
         up: bool,
     },
-    /// Somebody asks for something.
-    Order {
+    /// Somebody commands.
+    Command {
         /// Number for the answer.
         id: u64,
-        /// Who.
-        by: Origin,
         /// What.
-        order: Order,
+        action: Order,
     },
     /// The caller's loop was late.
     Stalled {
@@ -165,8 +163,8 @@ impl Voyage {
                     *state = up;
                 }
             }
-            Event::Order { id, by, order } => {
-                let answer = self.order(now, by, &order, out);
+            Event::Command { id, action } => {
+                let answer = self.command(now, &action, out);
                 let (ok, text) = match answer {
                     Ok(text) => (true, text),
                     Err(text) => (false, text),

@@ -6,6 +6,7 @@
 
 mod cut;
 mod files;
+mod lean;
 
 use cut::Cut;
 use files::{Compression, base64, fingerprint, pack, sha256, write};
@@ -112,8 +113,13 @@ fn bind(compiled: &Path, name: &str, release: bool) -> Result<Page, Failure> {
         .emit(&folder)
         .map_err(|error| failed(&format!("{error:#}")))?;
     let wasm = folder.join("page_bg.wasm");
+    let script = text(&folder.join("page.js"))?;
     Ok(Page {
-        script: text(&folder.join("page.js"))?,
+        script: if release {
+            lean::script(&script)
+        } else {
+            script
+        },
         wasm: std::fs::read(&wasm).map_err(|error| Failure::file(&wasm, &error))?,
     })
 }
