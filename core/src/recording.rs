@@ -186,7 +186,7 @@ fn text<T: Serialize>(value: &T) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::command::{FaultKind, Order};
+    use crate::command::{FaultKind, Order, Origin};
 
     fn record(seconds: u64) -> Vec<String> {
         let mut voyage = Voyage::embedded(3);
@@ -209,8 +209,11 @@ mod tests {
                 400 => Some(fault("gps", FaultKind::Jump, true)),
                 _ => None,
             };
-            let happened =
-                action.map_or(Event::Tick, |action| Event::Command { id: second, action });
+            let happened = action.map_or(Event::Tick, |action| Event::Order {
+                id: second,
+                by: Origin::Officer,
+                order: action,
+            });
             if happened != Event::Tick {
                 lines.push(event(now, &happened));
             }

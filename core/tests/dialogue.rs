@@ -6,7 +6,7 @@ use wheelover_core::conformance::{Breach, Checker};
 use wheelover_core::nmea::{Htd, SteeringMode, Xte, decode};
 use wheelover_core::station::Profile;
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{ChartRequest, Line, ModeRequest, Order, hello};
+use wheelover_core::view::{ChartRequest, Line, ModeRequest, Order, Origin, hello};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 struct Sailed {
@@ -39,7 +39,11 @@ fn sail(seed: u64, seconds: u64, by_hand: Option<ChartRequest>) -> Sailed {
             _ => None,
         });
         if let Some(action) = button {
-            let event = Event::Command { id: step, action };
+            let event = Event::Order {
+                id: step,
+                by: Origin::Officer,
+                order: action,
+            };
             voyage.handle(Stamp(step * 100), event, &mut out);
         }
         for output in out.drain(..) {

@@ -5,7 +5,8 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
-use wheelover_core::nmea::{Checksum, decode, encode, hints, steering, with_checksum};
+use wheelover_core::command::htc;
+use wheelover_core::nmea::{Checksum, decode, encode, hints, with_checksum};
 
 fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/seeds")
@@ -46,14 +47,8 @@ fn describe(line: &str) -> String {
         let _ = write!(out, "\n  hint: {hint}");
     }
     if sentence.formatter == "HTC" {
-        match steering(&sentence, true) {
-            Ok(command) => {
-                _ = write!(
-                    out,
-                    "\n  steers: {:?} {:?}",
-                    command.mode, command.turn_mode
-                )
-            }
+        match htc(&sentence, true) {
+            Ok(command) => _ = write!(out, "\n  steers: {command:?}"),
             Err(refusal) => _ = write!(out, "\n  refused: {refusal}"),
         }
     }

@@ -15,7 +15,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, oneshot};
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{self, Answer, Hello, Line, Order, Outline};
+use wheelover_core::view::{self, Answer, Hello, Line, Order, Origin, Outline};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 /// Inputs that may wait.
@@ -242,7 +242,14 @@ impl Thread {
                 // Those who went away before their answer came are forgotten.
                 self.answers.retain(|_, waiting| !waiting.is_closed());
                 self.answers.insert(id, answer);
-                self.happen(wall, Event::Command { id, action });
+                self.happen(
+                    wall,
+                    Event::Order {
+                        id,
+                        by: Origin::Officer,
+                        order: action,
+                    },
+                );
             }
             Input::Hello(reply) => {
                 let mut hello = view::hello(&self.parts.voyage, env!("CARGO_PKG_VERSION"));

@@ -37,7 +37,7 @@ use std::thread::JoinHandle;
 use tokio::net::TcpListener;
 use tokio::sync::{oneshot, watch};
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{Order, Outline};
+use wheelover_core::view::{Order, Origin, Outline};
 use wheelover_core::voyage::{Event, Voyage};
 
 /// Seed of the embedded voyage: every start sails the same.
@@ -201,6 +201,14 @@ fn set_pace(voyage: &mut Voyage, speed: f64) -> Result<(), Error> {
     }
     let mut out = Vec::new();
     let action = Order::Speed(speed);
-    voyage.handle(Stamp(0), Event::Command { id: 0, action }, &mut out);
+    voyage.handle(
+        Stamp(0),
+        Event::Order {
+            id: 0,
+            by: Origin::Officer,
+            order: action,
+        },
+        &mut out,
+    );
     Ok(())
 }

@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use wheelover_core::recording;
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{Down, FaultKind, Line, Lines, Order, hello, snapshot};
+use wheelover_core::view::{Down, FaultKind, Line, Lines, Order, Origin, hello, snapshot};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 use wheelover_web::heard::{Agreement, Fold};
 
@@ -63,7 +63,11 @@ fn sail() -> Sailed {
         let now = Stamp(step * 100);
         let event = match script.next_if(|(at, _)| *at <= now.0) {
             Some((at, action)) => {
-                let event = Event::Command { id: at, action };
+                let event = Event::Order {
+                    id: at,
+                    by: Origin::Officer,
+                    order: action,
+                };
                 sailed.recording.push(recording::event(now, &event));
                 event
             }

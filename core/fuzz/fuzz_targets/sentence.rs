@@ -1,11 +1,12 @@
-//! Any body with its checksum repaired: values, faults, encoding, steering, JSON, radio messages of any bits (FB2).
+//! Any body with its checksum repaired: values, faults, encoding, JSON, radio messages of any bits (FB2).
 #![no_main]
 
 mod radio;
 
 use libfuzzer_sys::fuzz_target;
 use wheelover_core::nmea::ais::Gatherer;
-use wheelover_core::nmea::{decode, encode, json, steering};
+use wheelover_core::command::htc;
+use wheelover_core::nmea::{decode, encode, json};
 use wheelover_core::time::Stamp;
 
 /// The body with the right checksum.
@@ -58,7 +59,7 @@ fuzz_target!(|bytes: &[u8]| {
                 .is_none_or(|n| n >= 1 && usize::from(n) <= count)
         );
     }
-    let _ = (steering(&sentence, true), json(1, None, &line));
+    let _ = (htc(&sentence, true), json(1, None, &line));
     let again = encode(&sentence).map(|text| text.chars().map(|c| c as u8).collect::<Vec<u8>>());
     if let Some(once) = again {
         let twice = encode(&decode(&once));

@@ -27,7 +27,7 @@ pub(super) enum Wanted {
 impl Autopilot {
     /// The operator's half of the selection.
     pub(super) fn request_autonav(&mut self, now: Stamp) -> Result<String, Refusal> {
-        let refuse = |text: &str| Err(Refusal(text.to_string()));
+        let refuse = |text: &str| Err(Refusal::because(text.to_string()));
         if self.mode.is_autonav() {
             return refuse("AutoNAV is active already");
         }

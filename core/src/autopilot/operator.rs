@@ -30,7 +30,7 @@ impl Autopilot {
                 Ok("AutoNAV selection withdrawn".into())
             }
             Order::Mode(ModeRequest::Track) => {
-                Err(Refusal("TRACK needs valid APB: none is heard".into()))
+                Err(Refusal::because("TRACK needs valid APB: none is heard"))
             }
             Order::SetHeading(degrees) => self.set_heading(now, Heading::from_deg(*degrees)),
             Order::AdjustHeading(degrees) => match &self.mode {
@@ -38,12 +38,12 @@ impl Autopilot {
                     let set = *set + Turn::from_deg(*degrees);
                     self.set_heading(now, set)
                 }
-                _ => Err(Refusal("the heading is set in AUTO only".into())),
+                _ => Err(Refusal::because("the heading is set in AUTO only")),
             },
             Order::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
                 Ok(format!("alert {number} acknowledged"))
             }
-            Order::Acknowledge(number) => Err(Refusal(format!(
+            Order::Acknowledge(number) => Err(Refusal::because(format!(
                 "alert {number} waits for no acknowledgement"
             ))),
             Order::Silence(_) => {
@@ -51,26 +51,26 @@ impl Autopilot {
                 Ok("silenced for 30 s".into())
             }
             Order::Setting { key, value } => {
-                self.settings.set(key, value).map_err(Refusal)?;
+                self.settings.set(key, value).map_err(Refusal::because)?;
                 let ship = self.steering.settings_mut();
                 ship.slew = self.settings.rudder_slew;
                 ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);
                 Ok(format!("{key} is {value}"))
             }
-            _ => Err(Refusal("not a command to the autopilot".into())),
+            _ => Err(Refusal::because("not a command to the autopilot")),
         };
         if let Err(refusal) = &result {
-            self.why = refusal.0.clone();
+            self.why = refusal.text.clone();
         }
         result
     }
 
     fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {
         let Some(heading) = self.heading else {
-            return Err(Refusal("no heading".into()));
+            return Err(Refusal::because("no heading"));
         };
         if self.override_heard(now) {
-            return Err(Refusal("override is in use".into()));
+            return Err(Refusal::because("override is in use"));
         }
         self.pending = None;
         self.alerts.rectify(now, Alert::HeadingLost);
@@ -82,7 +82,7 @@ impl Autopilot {
 
     fn set_heading(&mut self, now: Stamp, set: Heading) -> Result<String, Refusal> {
         if !matches!(self.mode, Mode::Auto { .. }) {
-            return Err(Refusal("the heading is set in AUTO only".into()));
+            return Err(Refusal::because("the heading is set in AUTO only"));
         }
         self.off_heading_since = None;
         self.apply(now, &Event::SetHeading(set), "operator set the heading");

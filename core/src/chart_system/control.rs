@@ -42,7 +42,7 @@ impl Control {
 }
 
 fn refuse<T>(reason: impl Into<String>) -> Result<T, Refusal> {
-    Err(Refusal(reason.into()))
+    Err(Refusal::because(reason.into()))
 }
 
 impl ChartSystem {

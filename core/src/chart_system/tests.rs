@@ -221,7 +221,7 @@ impl Bench {
     fn request(&mut self, request: ChartRequest) -> Result<String, String> {
         self.chart
             .command(Stamp(self.now), &request)
-            .map_err(|refusal| refusal.0)
+            .map_err(|refusal| refusal.text)
     }
 
     /// Runs until the situation is reached and gives what was said first in it.

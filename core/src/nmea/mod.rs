@@ -34,7 +34,7 @@
 //! assert_eq!(rot.line("AG"), "$AGROT,-027.5,*4C");
 //! ```
 //!
-//! **Invariant:** decoding never fails, obeying is strict: only [`steering`] makes a command of a line.
+//! **Invariant:** decoding never fails, obeying is strict: only [`crate::command::htc()`] makes a command of a line.
 
 pub mod ais;
 mod angles;
@@ -57,7 +57,6 @@ mod known;
 mod macros;
 mod read;
 mod scan;
-mod strict;
 mod table;
 mod tables;
 mod tag;
@@ -82,7 +81,6 @@ pub use hints::hints;
 pub use json::{JsonChecksum, JsonFault, JsonField, JsonLine, JsonValue, json, json_line};
 pub(crate) use known::Known;
 pub use scan::FieldList;
-pub use strict::{HtcCommand, HtcRefusal, steering};
 pub(crate) use table::key;
 pub use table::{Definition, Format, Kind, Sides, Unit};
 pub use tables::*;

@@ -76,7 +76,7 @@ impl Picture {
         let Some(htc) = Htc::from_sentence(sentence) else {
             return;
         };
-        let refusal = nmea::steering(sentence, true)
+        let refusal = crate::command::htc(sentence, true)
             .err()
             .map(|refusal| refusal.text);
         match (&mut self.htc, refusal) {

@@ -95,19 +95,19 @@ impl Document {
     /// Text that is not such a document, a ship that is not there, a route that does not hang together.
     pub fn parse(text: &str) -> Result<Self, Refusal> {
         let value: serde_json::Value =
-            serde_json::from_str(text).map_err(|e| Refusal(format!("not JSON: {e}")))?;
+            serde_json::from_str(text).map_err(|e| Refusal::because(format!("not JSON: {e}")))?;
         if value.get("manoeuvre").is_some() {
-            let plan: Plan =
-                serde_json::from_value(value).map_err(|e| Refusal(format!("manoeuvre: {e}")))?;
+            let plan: Plan = serde_json::from_value(value)
+                .map_err(|e| Refusal::because(format!("manoeuvre: {e}")))?;
             return plan.checked().map(Self::Manoeuvre);
         }
         if value.get("scenarios").is_none() {
-            return Err(Refusal(
-                "neither `scenarios` nor `manoeuvre` is in it".into(),
+            return Err(Refusal::because(
+                "neither `scenarios` nor `manoeuvre` is in it",
             ));
         }
-        let bench: Bench =
-            serde_json::from_value(value).map_err(|e| Refusal(format!("scenario: {e}")))?;
+        let bench: Bench = serde_json::from_value(value)
+            .map_err(|e| Refusal::because(format!("scenario: {e}")))?;
         bench.checked().map(Self::Bench)
     }
 }
@@ -115,14 +115,14 @@ impl Document {
 impl Bench {
     fn checked(self) -> Result<Self, Refusal> {
         if !self.ship.model.to_lowercase().contains("mariner") {
-            return Err(Refusal(format!(
+            return Err(Refusal::because(format!(
                 "ship `{}`: only the Mariner is there",
                 self.ship.model
             )));
         }
         let legs = self.legs.len();
         if legs == 0 || self.waypoints.len() != legs + 1 || self.turns.len() + 1 != legs {
-            return Err(Refusal(format!(
+            return Err(Refusal::because(format!(
                 "{legs} legs need {} waypoints and {} turns",
                 legs + 1,
                 legs.saturating_sub(1)
@@ -131,7 +131,10 @@ impl Bench {
         for (name, c) in &self.scenarios {
             let all = [c.kn, c.cur_kn, c.cur_set, c.wave_deg, c.noise];
             if !(c.kn > 0.0 && c.kn <= 40.0) || all.iter().any(|x| !x.is_finite()) {
-                return Err(Refusal(format!("{name}: kn is {}, allowed 0 to 40", c.kn)));
+                return Err(Refusal::because(format!(
+                    "{name}: kn is {}, allowed 0 to 40",
+                    c.kn
+                )));
             }
         }
         if let Some((i, turn)) = self
@@ -140,7 +143,7 @@ impl Bench {
             .enumerate()
             .find(|(_, t)| t.radius_nm <= 0.0)
         {
-            return Err(Refusal(format!(
+            return Err(Refusal::because(format!(
                 "turn {}: radius {} nm",
                 i + 1,
                 turn.radius_nm
@@ -247,7 +250,9 @@ fn columns<const N: usize>(text: &str) -> Result<Vec<[f64; N]>, Refusal> {
                 .next()
                 .and_then(|f| f.trim().parse().ok())
                 .filter(|x: &f64| x.is_finite())
-                .ok_or_else(|| Refusal(format!("line {}: {N} numbers expected", number + 1)))?;
+                .ok_or_else(|| {
+                    Refusal::because(format!("line {}: {N} numbers expected", number + 1))
+                })?;
         }
         rows.push(row);
     }

@@ -90,20 +90,22 @@ pub struct SpiralRow {
 impl Plan {
     pub(super) fn checked(self) -> Result<Self, Refusal> {
         if self.ship != "mariner" {
-            return Err(Refusal(format!(
+            return Err(Refusal::because(format!(
                 "ship `{}`: only `mariner` is there",
                 self.ship
             )));
         }
         if !(self.speed_kn > 0.0 && self.speed_kn <= 40.0) {
-            return Err(Refusal(format!(
+            return Err(Refusal::because(format!(
                 "speed_kn is {}, allowed 0 to 40",
                 self.speed_kn
             )));
         }
         let times = [self.execute_s, self.duration_s];
         if times.iter().any(|t| !(0.0..=100_000.0).contains(t)) {
-            return Err(Refusal("execute_s, duration_s: 0 to 100000 allowed".into()));
+            return Err(Refusal::because(
+                "execute_s, duration_s: 0 to 100000 allowed",
+            ));
         }
         Ok(self)
     }

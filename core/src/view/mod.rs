@@ -6,7 +6,7 @@ mod voyage;
 
 pub use crate::autopilot::ModeName;
 pub use crate::autopilot::steering::Terms;
-pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order};
+pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order, Origin};
 use crate::geo::Position;
 use crate::picture::Picture;
 pub use crate::settings::Value;

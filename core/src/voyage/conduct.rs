@@ -2,21 +2,23 @@
 
 use super::officer::{Action, Officer, Watch};
 use super::{Voyage, VoyageOutput};
-use crate::command::{FaultKind, Order};
+use crate::command::{FaultKind, Order, Origin};
 use crate::time::Stamp;
 use crate::units::{Course, Speed};
 use alloc::format;
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 impl Voyage {
-    pub(super) fn command(
+    /// An officer's order takes the watch from the scripted officer.
+    pub(super) fn order(
         &mut self,
         now: Stamp,
+        by: Origin,
         action: &Order,
         out: &mut Vec<VoyageOutput>,
     ) -> Result<String, String> {
-        if self.embedded.is_some() && takes_the_watch(action) && self.officer.on {
+        if by == Origin::Officer && self.embedded.is_some() && takes_the_watch(action) {
             self.officer.on = false;
         }
         self.carry_out(now, action, out)
@@ -34,7 +36,9 @@ impl Voyage {
                 self.conduct(now, action)
             }
             Order::Chart(request) => match &mut self.chart {
-                Some(chart) => chart.command(now, request).map_err(|refusal| refusal.0),
+                Some(chart) => chart
+                    .command(now, request)
+                    .map_err(|refusal| refusal.to_string()),
                 None => Err("the chart system is a foreign one".into()),
             },
             Order::Acknowledge(number) if *number >= 200 => {
@@ -55,7 +59,9 @@ impl Voyage {
                 let Some(autopilot) = &mut self.autopilot else {
                     return Err("the autopilot is a foreign one: command it there".into());
                 };
-                let answer = autopilot.command(now, action).map_err(|refusal| refusal.0);
+                let answer = autopilot
+                    .command(now, action)
+                    .map_err(|refusal| refusal.to_string());
                 if let (Order::Setting { key, value }, Ok(_)) = (action, &answer) {
                     self.settings_revision += 1;
                     out.push(VoyageOutput::Persist {
@@ -146,7 +152,7 @@ impl Voyage {
         match self.officer.next(now, &watch) {
             Some(Action::Command(action)) => {
                 // A refused command is tried again; the reason stands in the snapshot.
-                let _ = self.carry_out(now, &action, out);
+                let _ = self.order(now, Origin::Script, &action, out);
             }
             Some(Action::NewRound) => {
                 self.round += 1;

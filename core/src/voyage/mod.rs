@@ -14,7 +14,7 @@ mod setup;
 use crate::alerts::Standing;
 use crate::autopilot::Autopilot;
 use crate::chart_system::ChartSystem;
-use crate::command::{Answer, FaultKind, Order};
+use crate::command::{Answer, FaultKind, Order, Origin};
 use crate::picture::Picture;
 use crate::route::Route;
 use crate::settings::Value;
@@ -48,12 +48,14 @@ pub enum Event {
         /// Whether it is there.
         up: bool,
     },
-    /// Somebody commands.
-    Command {
+    /// Somebody asks for something.
+    Order {
         /// Number for the answer.
         id: u64,
+        /// Who.
+        by: Origin,
         /// What.
-        action: Order,
+        order: Order,
     },
     /// The caller's loop was late.
     Stalled {
@@ -163,8 +165,8 @@ impl Voyage {
                     *state = up;
                 }
             }
-            Event::Command { id, action } => {
-                let answer = self.command(now, &action, out);
+            Event::Order { id, by, order } => {
+                let answer = self.order(now, by, &order, out);
                 let (ok, text) = match answer {
                     Ok(text) => (true, text),
                     Err(text) => (false, text),

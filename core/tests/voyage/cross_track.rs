@@ -1,14 +1,22 @@
 //! Cross-track distance in 1 kn of current: within 50 m on every leg and arc, a test a direction.
 
 use crate::rig::off_path;
-use wheelover_core::view::{ModeName, Order};
+use wheelover_core::view::{ModeName, Order, Origin};
 use wheelover_core::voyage::{Event, Voyage};
 
 fn check(set: f64) {
     let mut voyage = Voyage::embedded(11);
     let mut out = Vec::new();
     let action = Order::Current { set, drift: 1.0 };
-    voyage.handle(voyage.now(), Event::Command { id: 1, action }, &mut out);
+    voyage.handle(
+        voyage.now(),
+        Event::Order {
+            id: 1,
+            by: Origin::Officer,
+            order: action,
+        },
+        &mut out,
+    );
     let route = voyage.chart_system().unwrap().route().unwrap().clone();
     let mut worst = vec![[0.0_f64; 2]; route.legs().len()];
     let mut order = None::<f64>;

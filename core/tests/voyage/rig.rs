@@ -155,13 +155,13 @@ impl Rig {
     pub(crate) fn command(&mut self, action: Order) -> Result<String, String> {
         self.autopilot
             .command(self.now, &action)
-            .map_err(|refusal| refusal.0)
+            .map_err(|refusal| refusal.to_string())
     }
 
     pub(crate) fn ask(&mut self, request: ChartRequest) -> Result<String, String> {
         self.chart
             .command(self.now, &request)
-            .map_err(|refusal| refusal.0)
+            .map_err(|refusal| refusal.to_string())
     }
 
     /// Says a line to the autopilot now; the checksum is added.

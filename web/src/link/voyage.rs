@@ -8,7 +8,9 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 use std::time::Duration;
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{Answer, Down, Line, Lines, Up, hello, route_document, snapshot};
+use wheelover_core::view::{
+    Answer, Down, Line, Lines, Origin, Up, hello, route_document, snapshot,
+};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 /// Between two snapshots.
@@ -137,10 +139,11 @@ impl Source for InPage {
         set_timeout(
             move || match up {
                 Up::Command { id, action } => {
-                    let fresh = voyage
-                        .state
-                        .borrow_mut()
-                        .happen(Event::Command { id, action });
+                    let fresh = voyage.state.borrow_mut().happen(Event::Order {
+                        id,
+                        by: Origin::Officer,
+                        order: action,
+                    });
                     let follows = voyage.state.borrow().follows;
                     if let Some(frame) = lines(fresh).filter(|_| follows) {
                         receive(voyage.deck, frame, steady());

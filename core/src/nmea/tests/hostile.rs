@@ -122,7 +122,7 @@ fn hostile_fields_never_panic_and_each_fault_names_a_field() {
             let _ = (
                 hints(&sentence),
                 json(1, None, &raw),
-                steering(&sentence, true),
+                crate::command::htc(&sentence, true),
             );
         }
         if sentence.field_faults().is_empty()
