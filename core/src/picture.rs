@@ -43,8 +43,10 @@ pub struct Heard<T> {
     pub value: T,
     /// When it was heard.
     pub at: Stamp,
-    /// When the source last said that it has no valid value, or said it wrongly.
+    /// When a report was withdrawn or a command refused: it is not used any more.
     pub refused: Option<Stamp>,
+    /// When the source last said that it has no valid value: counts as not received, so the last one lives out its age (AP-9).
+    pub not_valid: Option<Stamp>,
     /// Who said it.
     pub source: Source,
 }
@@ -56,6 +58,7 @@ impl<T> Heard<T> {
             value,
             at,
             refused: None,
+            not_valid: None,
             source,
         }
     }
@@ -66,7 +69,11 @@ impl<T> Heard<T> {
         if self.refused.is_some_and(|refused| refused >= self.at) {
             return Freshness::Lost;
         }
-        freshness(quantity, self.at, now)
+        match freshness(quantity, self.at, now) {
+            // Still used, and shown with its age.
+            Freshness::Valid if self.not_valid.is_some() => Freshness::Late,
+            by_age => by_age,
+        }
     }
 
     /// The value, unless it is lost.

@@ -162,13 +162,16 @@ impl Autopilot {
         {
             return Some("no position");
         }
-        if self
-            .fresh(picture.xte.as_ref(), Quantity::Control)
-            .is_none()
-        {
+        // AP-7: fresh and with status A.
+        let xte = picture.xte.as_ref().filter(|xte| xte.not_valid.is_none());
+        let pney1 = picture
+            .pney1
+            .as_ref()
+            .filter(|pney1| pney1.not_valid.is_none());
+        if self.fresh(xte, Quantity::Control).is_none() {
             return Some("no valid XTE");
         }
-        match self.fresh(picture.pney1.as_ref(), Quantity::Control) {
+        match self.fresh(pney1, Quantity::Control) {
             None => return Some("no valid PNEY,001"),
             Some(pney1) if pney1.cross_track.is_none() => {
                 return Some("PNEY,001 has no distance: no leg");

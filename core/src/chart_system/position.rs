@@ -65,7 +65,7 @@ impl ChartSystem {
         let Some(heard) = self.post.picture.fix(now) else {
             return;
         };
-        if heard.refused.is_some_and(|refused| refused >= heard.at) {
+        if heard.not_valid.is_some() {
             self.guard.fix = None; // TCS-3: not valid is known at once
             return;
         }

@@ -59,7 +59,8 @@ quantities! {
 }
 
 /// Gives the facts to the macro `$then`, a row each: field, one value or one a source, type, and the sentences that say it
-/// with how each is read. `own` are those that count when the station itself says them on the cable between chart system
+/// with how each is read. A `report` is withdrawn at once where it is not valid; the last value of a sensor counts until its age limit (SEN-4, AP-9).
+/// `own` are those that count when the station itself says them on the cable between chart system
 /// and autopilot.
 macro_rules! facts {
     ($then:ident) => {
@@ -69,15 +70,15 @@ macro_rules! facts {
             /// Rates of turn, one a source.
             rates: many RateOfTurn { rot: read::rot };
             /// Positions, one a source.
-            fixes: many Fix { gll: read::gll };
+            fixes: many Fix { gll: read::gll, gga: read::gga, rmc: read::rmc_fix };
             /// Courses and speeds over ground, one a source.
-            grounds: many Ground { vtg: read::vtg };
+            grounds: many Ground { vtg: read::vtg, rmc: read::rmc_ground };
             /// Speeds through the water, one a source.
-            water_speeds: many Speed { vhw: read::vhw };
+            water_speeds: many Speed { vhw: read::vhw, vbw: read::vbw };
             /// Rudder response.
             rudder: one RudderAngle { rsa: read::rsa };
             /// Rudder order.
-            order: one RudderAngle { ror: read::ror } own { ror: read::ror };
+            order: report RudderAngle { ror: read::ror } own { ror: read::ror };
             /// Last HTC without a checksum or count fault; `at` only where it may be obeyed.
             htc: command Commanded { htc: read::htc };
             /// Cross-track distance for display.
@@ -87,7 +88,7 @@ macro_rules! facts {
             /// Radius centre and waypoint.
             pney2: one Pney2 { pney2: read::pney2 };
             /// What the autopilot reports.
-            htd: one Htd { htd: read::htd } own { htd: read::htd };
+            htd: report Htd { htd: read::htd } own { htd: read::htd };
         }
     };
 }

@@ -8,16 +8,23 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
     match (station, profile) {
         (Role::World, Profile::Gear) => &["ROR"],
         (Role::World, _) => &[],
-        (_, Profile::Ecdis) => &[
-            "HTC", "XTE", "PNEY", "GLL", "VTG", "VHW", "HDT", "THS", "ROT", "RSA", "ROR", "HTD",
-            "ACK",
+        // The cable between chart system and autopilot, from either end. A chart system that echoes our heading or our
+        // rudder is no compass and no feedback.
+        (Role::Autopilot, Profile::Ecdis) => &[
+            "HTC", "XTE", "PNEY", "HSC", "APB", "BWC", "BWR", "GLL", "GGA", "VTG", "VHW", "VBW",
+            "RMC", "ZDA", "ACK", "ACN", "HBT",
+        ],
+        (Role::ChartSystem, Profile::Ecdis) => &[
+            "HTD", "RSA", "ROR", "HDT", "HMR", "ALR", "ALA", "ALF", "ALC", "HBT",
         ],
         (_, Profile::Gyro1 | Profile::Gyro2 | Profile::Thd) => &["HDT", "THS", "ROT"],
-        (_, Profile::Gps) => &["GLL", "VTG"],
-        (_, Profile::Log) => &["VHW"],
+        (_, Profile::Magn) => &["HDG", "HDM"],
+        (_, Profile::Gps) => &["GGA", "GLL", "RMC", "VTG", "ZDA", "GNS"],
+        (_, Profile::Log) => &["VHW", "VBW"],
         (_, Profile::Rot) => &["ROT"],
-        (_, Profile::Gear) => &["RSA"],
-        (_, Profile::Magn | Profile::Hmi | Profile::Monitor) => &[],
+        (Role::Autopilot, Profile::Gear) => &["RSA"],
+        (Role::Autopilot, Profile::Hmi) => &["PEMC"],
+        (_, Profile::Gear | Profile::Hmi | Profile::Monitor) => &[],
     }
 }
 

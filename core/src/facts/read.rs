@@ -50,6 +50,23 @@ readers! {
         is_valid(s.status) && allows(s.mode),
         s.position.map(|position| Fix { position, mode: mode(s.mode), utc: s.time.map(nmea::UtcTime::seconds) })
     }
+    /// Quality 1 to 5 (AP-9).
+    gga(s: nmea::Gga) -> Fix {
+        s.quality.is_some_and(nmea::FixQuality::valid),
+        s.position.map(|position| Fix {
+            position, mode: s.quality.map_or(ModeIndicator::NotValid, of_quality), utc: s.time.map(nmea::UtcTime::seconds),
+        })
+    }
+    rmc_fix(s: nmea::Rmc) -> Fix {
+        is_valid(s.status) && allows(s.mode),
+        s.position.map(|position| Fix { position, mode: mode(s.mode), utc: s.time.map(nmea::UtcTime::seconds) })
+    }
+    rmc_ground(s: nmea::Rmc) -> Ground {
+        is_valid(s.status) && allows(s.mode),
+        s.speed.map(|speed| Ground {
+            course: s.course.map(Course::from_deg), speed: Speed::from_knots(speed), mode: mode(s.mode),
+        })
+    }
     vtg(s: nmea::Vtg) -> Ground {
         allows(s.mode),
         s.speed_knots.map(|speed| Ground {
@@ -57,6 +74,10 @@ readers! {
         })
     }
     vhw(s: nmea::Vhw) -> Speed { true, s.speed_knots.map(Speed::from_knots) }
+    /// The laws know speed ahead only: astern counts as none.
+    vbw(s: nmea::Vbw) -> Speed {
+        is_valid(s.water_status), s.water_ahead.map(|ahead| Speed::from_knots(ahead.max(0.0)))
+    }
     /// A single or linked rudder stands on the starboard side (AP-4).
     rsa(s: nmea::Rsa) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
     ror(s: nmea::Ror) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
@@ -73,6 +94,18 @@ fn is_valid(status: Option<DataStatus>) -> bool {
 /// An edition without the field says nothing against the value.
 fn allows(mode: Option<ModeIndicator>) -> bool {
     mode.is_none_or(ModeIndicator::valid)
+}
+
+/// The mode indicator that says the same as a quality.
+const fn of_quality(quality: nmea::FixQuality) -> ModeIndicator {
+    match quality {
+        nmea::FixQuality::Standard => ModeIndicator::Autonomous,
+        nmea::FixQuality::Differential => ModeIndicator::Differential,
+        nmea::FixQuality::Precise => ModeIndicator::Precise,
+        nmea::FixQuality::RealTimeKinematic => ModeIndicator::RealTimeKinematic,
+        nmea::FixQuality::FloatRtk => ModeIndicator::FloatRtk,
+        _ => ModeIndicator::NotValid,
+    }
 }
 
 fn mode(mode: Option<ModeIndicator>) -> ModeIndicator {

@@ -10,7 +10,7 @@ use crate::time::Stamp;
 use alloc::vec::Vec;
 
 /// At most so many sources a quantity; a further one is not taken.
-const MAX_SOURCES: usize = 8;
+const MAX_SOURCES: usize = 16;
 
 impl Picture {
     /// Folds one line. The result depends on the arguments and the earlier lines alone.
@@ -91,6 +91,7 @@ impl Picture {
                     value,
                     at,
                     refused,
+                    not_valid: None,
                     source,
                 });
             }
@@ -128,8 +129,8 @@ impl<T> Store<T> for Vec<Heard<T>> {
             (None, Reading::Value(value)) if room => {
                 self.push(Heard::new(value, at, source));
             }
-            (Some(heard), Reading::NotValid | Reading::Null) => heard.refused = Some(at),
-            (None, _) => {}
+            (Some(heard), Reading::NotValid) => heard.not_valid = Some(at),
+            (Some(_), Reading::Null) | (None, _) => {}
         }
     }
 }
@@ -138,8 +139,8 @@ impl<T> Store<T> for Option<Heard<T>> {
     fn hear(&mut self, at: Stamp, source: Source, reading: Reading<T>) {
         match (self.as_mut(), reading) {
             (_, Reading::Value(value)) => *self = Some(Heard::new(value, at, source)),
-            (Some(heard), Reading::NotValid | Reading::Null) => heard.refused = Some(at),
-            (None, _) => {}
+            (Some(heard), Reading::NotValid) => heard.not_valid = Some(at),
+            (Some(_), Reading::Null) | (None, _) => {}
         }
     }
 }
@@ -149,6 +150,17 @@ macro_rules! take {
     (command $field:ident $picture:ident $at:ident $source:ident $sentence:ident $clean:ident $read:path) => {
         $picture.hear_htc($at, $source, $sentence)
     };
+    (report $field:ident $picture:ident $at:ident $source:ident $sentence:ident $clean:ident $read:path) => {{
+        let reading = if $clean {
+            $read($sentence)
+        } else {
+            Reading::Null
+        };
+        if let (Some(heard), Reading::NotValid | Reading::Null) = (&mut $picture.$field, &reading) {
+            heard.refused = Some($at);
+        }
+        $picture.$field.hear($at, $source, reading)
+    }};
     ($kind:ident $field:ident $picture:ident $at:ident $source:ident $sentence:ident $clean:ident $read:path) => {
         $picture.$field.hear(
             $at,

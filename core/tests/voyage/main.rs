@@ -9,3 +9,4 @@ mod refused_commands;
 mod rig;
 mod sensors_lost;
 mod situations;
+mod wrong_port;
