@@ -91,19 +91,27 @@ pub struct Assembler {
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Open {
-    key: String,
+    key: Vec<u8>,
     total: u32,
     /// How many parts are there.
     parts: u32,
-    /// Their lines, ISO 8859-1, each with a line end.
+    /// Their payloads, or their lines (ISO 8859-1), each with a line end.
     text: String,
+    destination: Option<u32>,
+    message: Option<u8>,
     began: Stamp,
 }
 
 struct Part {
-    key: String,
+    key: Key,
     total: u32,
     number: u32,
+}
+
+/// The fields that tell messages apart.
+struct Key {
+    bytes: [u8; LONGEST_KEY],
+    length: usize,
 }
 
 impl Assembler {
@@ -124,7 +132,10 @@ impl Assembler {
     pub fn push(&mut self, now: Stamp, sentence: &Sentence<'_>) -> Option<Message> {
         let part = part(sentence)?;
         self.open.retain(|open| now.since(open.began) <= OLDEST_MS);
-        let at = self.open.iter().position(|open| open.key == part.key);
+        let at = self
+            .open
+            .iter()
+            .position(|open| open.key == part.key.bytes());
         let whole = !sentence.checksum.is_right() || !sentence.field_faults().is_empty();
         if whole
             || part.total == 0
@@ -137,18 +148,11 @@ impl Assembler {
         }
         if part.number == 1 {
             at.map(|at| self.open.remove(at));
+            let open = Open::new(now, &part, sentence);
             if part.total == 1 {
-                return join(&latin1(sentence.text), 1);
+                return open.close(sentence);
             }
-            let mut text = latin1(sentence.text);
-            text.push('\n');
-            self.open.push(Open {
-                key: part.key,
-                total: part.total,
-                parts: 1,
-                text,
-                began: now,
-            });
+            self.open.push(open);
             self.bound();
             return None;
         }
@@ -157,12 +161,9 @@ impl Assembler {
             self.open.remove(at?);
             return None;
         }
-        open.parts += 1;
-        open.text.push_str(&latin1(sentence.text));
-        open.text.push('\n');
+        open.add(sentence);
         if part.number == part.total {
-            let open = self.open.remove(at?);
-            return join(&open.text, open.parts);
+            return self.open.remove(at?).close(sentence);
         }
         self.bound();
         None
@@ -190,29 +191,112 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
         [digit @ b'0'..=b'9'] => Some(u32::from(digit - b'0')),
         text => u32::from_str_radix(core::str::from_utf8(text).ok()?, radix).ok(),
     };
-    let mut key = String::with_capacity(LONGEST_KEY);
-    key.push_str(sentence.address());
+    let mut key = Key::new(sentence.address());
     for &mark in marks {
-        key.push(',');
-        key.extend(
-            sentence
-                .fields
-                .get(mark)
-                .iter()
-                .map(|&byte| char::from(byte)),
-        );
+        key.add(sentence.fields.get(mark));
     }
     if sentence.formatter == "GSV" && sentence.fields.len().is_multiple_of(4) {
-        key.push_str(&latin1(sentence.fields.get(sentence.fields.len())));
-    }
-    if key.len() > LONGEST_KEY {
-        key.truncate(key.floor_char_boundary(LONGEST_KEY));
+        key.add(sentence.fields.get(sentence.fields.len()));
     }
     Some(Part {
         key,
         total: number(1).unwrap_or(0),
         number: number(2).unwrap_or(0),
     })
+}
+
+impl Key {
+    fn new(address: &str) -> Self {
+        let mut key = Self {
+            bytes: [0; LONGEST_KEY],
+            length: 0,
+        };
+        key.add(address.as_bytes());
+        key
+    }
+
+    fn add(&mut self, field: &[u8]) {
+        for &byte in field.iter().chain(b",") {
+            if let Some(place) = self.bytes.get_mut(self.length) {
+                *place = byte;
+                self.length += 1;
+            }
+        }
+    }
+
+    fn bytes(&self) -> &[u8] {
+        &self.bytes[..self.length]
+    }
+}
+
+/// The field of the six-bit characters, before that of the fill bits, in sentences that carry them.
+fn payload_of(formatter: &str) -> Option<usize> {
+    Some(match formatter {
+        "VDM" | "VDO" => 5,
+        "ABM" => 7,
+        "BBM" => 6,
+        "TTD" => 4,
+        _ => return None,
+    })
+}
+
+// The parts have no faults, so that their fields can be taken as they stand.
+impl Open {
+    fn new(now: Stamp, part: &Part, first: &Sentence<'_>) -> Self {
+        let (destination, message) = match first.formatter {
+            "ABM" => (number(first, 4), number(first, 6)),
+            "BBM" => (None, number(first, 5)),
+            _ => (None, None),
+        };
+        let mut open = Self {
+            key: part.key.bytes().into(),
+            total: part.total,
+            parts: 0,
+            text: String::with_capacity(128),
+            destination,
+            message: message.and_then(|number| u8::try_from(number).ok()),
+            began: now,
+        };
+        open.add(first);
+        open
+    }
+
+    fn add(&mut self, sentence: &Sentence<'_>) {
+        self.parts += 1;
+        match payload_of(sentence.formatter) {
+            Some(field) => {
+                let payload = core::str::from_utf8(sentence.fields.get(field));
+                self.text.push_str(payload.unwrap_or(""));
+            }
+            None => {
+                self.text.push_str(&latin1(sentence.text));
+                self.text.push('\n');
+            }
+        }
+    }
+
+    /// The message that is complete with its last part.
+    fn close(self, last: &Sentence<'_>) -> Option<Message> {
+        let Some(field) = payload_of(last.formatter) else {
+            return join(&self.text, self.parts);
+        };
+        let payload = self.text;
+        let fill_bits = number(last, field + 1).unwrap_or(0);
+        Some(match last.formatter {
+            "TTD" => Message::Targets { payload, fill_bits },
+            "ABM" | "BBM" => Message::ToSend {
+                destination: self.destination,
+                number: self.message,
+                payload,
+                fill_bits,
+            },
+            formatter => Message::Radio {
+                own: formatter == "VDO",
+                payload,
+                fill_bits,
+            },
+        })
+    }
 }
 
 /// The message in some lines.
@@ -267,49 +351,13 @@ fn join(text: &str, parts: u32) -> Option<Message> {
                 .flat_map(|gsv| gsv.satellites)
                 .collect(),
         ),
-        // The parts have no faults, so that their fields can be taken as they stand.
-        "TTD" => Message::Targets {
-            payload: payload(&sentences, 4),
-            fill_bits: fill_bits(&sentences, 5),
-        },
-        "ABM" => Message::ToSend {
-            destination: number(first, 4),
-            number: number(first, 6).and_then(|number| u8::try_from(number).ok()),
-            payload: payload(&sentences, 7),
-            fill_bits: fill_bits(&sentences, 8),
-        },
-        "BBM" => Message::ToSend {
-            destination: None,
-            number: number(first, 5).and_then(|number| u8::try_from(number).ok()),
-            payload: payload(&sentences, 6),
-            fill_bits: fill_bits(&sentences, 7),
-        },
-        formatter => Message::Radio {
-            own: formatter == "VDO",
-            payload: payload(&sentences, 5),
-            fill_bits: fill_bits(&sentences, 6),
-        },
+        _ => return None,
     })
 }
 
 fn number(sentence: &Sentence<'_>, field: usize) -> Option<u32> {
     let text = core::str::from_utf8(sentence.fields.get(field)).ok()?;
     text.parse().ok()
-}
-
-/// What a field of all sentences says together.
-fn payload(sentences: &[Sentence<'_>], field: usize) -> String {
-    let mut payload = String::with_capacity(sentences.len() * 62);
-    for sentence in sentences {
-        // Six-bit characters, or the sentence would have a fault.
-        payload.push_str(core::str::from_utf8(sentence.fields.get(field)).unwrap_or(""));
-    }
-    payload
-}
-
-fn fill_bits(sentences: &[Sentence<'_>], field: usize) -> u32 {
-    let last = sentences.last().and_then(|last| number(last, field));
-    last.unwrap_or(0)
 }
 
 #[cfg(test)]

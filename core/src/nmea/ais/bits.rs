@@ -127,6 +127,13 @@ impl Bits {
         (self.window(at) >> ((64 - width) & 63)) as u32
     }
 
+    /// The same, where `signed` as a number in two's complement; without a branch.
+    #[inline(always)]
+    pub(super) fn get_scaled(&self, at: usize, width: usize, signed: bool) -> i32 {
+        let sign = u32::from(signed) << ((width - 1) & 31);
+        ((self.get(at, width) ^ sign).wrapping_sub(sign)) as i32
+    }
+
     /// The same as a number in two's complement.
     #[inline(always)]
     pub(super) fn get_signed(&self, at: usize, width: usize) -> i32 {

@@ -100,7 +100,7 @@ fn list(out: &mut String, items: &[Item], mark: &str) {
 
 fn contents(field: &Field) -> String {
     match &field.kind {
-        Kind::Number(scale) => {
+        Kind::Whole(scale) | Kind::Number(scale) => {
             let mut text: String = scale.unit.name().unwrap_or("number").into();
             if scale.divisor > 1 {
                 let _ = write!(text, ", 1/{}", scale.divisor);

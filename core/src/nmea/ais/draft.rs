@@ -267,11 +267,18 @@ fn raw(field: &Field, value: &Input) -> Option<i32> {
         i64::MAX
     };
     match (&field.kind, value) {
-        (Kind::Number(Scale { none: NEVER, .. }) | Kind::Code(NEVER, _), Input::Null) => Some(0),
-        (Kind::Number(scale), Input::Null) => Some(scale.none),
+        (
+            Kind::Whole(Scale { none: NEVER, .. })
+            | Kind::Number(Scale { none: NEVER, .. })
+            | Kind::Code(NEVER, _),
+            Input::Null,
+        ) => Some(0),
+        (Kind::Whole(scale) | Kind::Number(scale), Input::Null) => Some(scale.none),
         (Kind::Code(none, _), Input::Null) => Some(*none),
-        (Kind::Number(scale), Input::AtLeast(_)) if scale.top != NEVER => Some(scale.top),
-        (Kind::Number(scale), Input::Number(value)) => {
+        (Kind::Whole(scale) | Kind::Number(scale), Input::AtLeast(_)) if scale.top != NEVER => {
+            Some(scale.top)
+        }
+        (Kind::Whole(scale) | Kind::Number(scale), Input::Number(value)) => {
             let raw = libm::round(value * f64::from(scale.divisor)) - f64::from(scale.plus);
             let fits =
                 raw >= f64::from(scale.low) && raw <= f64::from(scale.high) && raw < most as f64;

@@ -65,7 +65,9 @@ pub(in crate::nmea) struct Field {
 /// What a field is.
 #[derive(Debug)]
 pub(in crate::nmea) enum Kind {
-    /// A number.
+    /// A whole number.
+    Whole(Scale),
+    /// A number with decimals.
     Number(Scale),
     /// A code: the value that means "not available", and the meanings of the others.
     Code(i32, fn(u32) -> Option<&'static str>),
@@ -98,6 +100,8 @@ pub(in crate::nmea) struct Scale {
     pub(super) plus: i32,
     pub(in crate::nmea) low: i32,
     pub(in crate::nmea) high: i32,
+    /// How far the greatest value that means itself is from the least.
+    pub(super) span: u32,
     pub(in crate::nmea) unit: Unit,
 }
 
@@ -115,6 +119,7 @@ impl Scale {
             plus: 0,
             low,
             high,
+            span: high.abs_diff(low),
             unit,
         }
     }
@@ -130,9 +135,25 @@ impl Scale {
         self.plus = plus;
         self
     }
-    pub(super) const fn top(mut self, top: i32) -> Self {
-        self.top = top;
+    /// The greatest value means so much or more.
+    pub(super) const fn top(mut self) -> Self {
+        self.top = self.high;
+        self.span -= 1;
         self
+    }
+
+    /// The kind of a field with this scale.
+    pub(super) const fn kind(self) -> Kind {
+        match self.divisor {
+            1 => Kind::Whole(self),
+            _ => Kind::Number(self),
+        }
+    }
+
+    /// Whether a coded value means itself.
+    #[inline(always)]
+    pub(super) const fn holds(&self, raw: i32) -> bool {
+        raw.wrapping_sub(self.low) as u32 <= self.span
     }
 
     /// What a coded value is worth in the unit.
@@ -204,7 +225,7 @@ impl Field {
     /// Its unit.
     pub(in crate::nmea) const fn unit(&self) -> Unit {
         match &self.kind {
-            Kind::Number(scale) => scale.unit,
+            Kind::Whole(scale) | Kind::Number(scale) => scale.unit,
             Kind::Turn => Unit::DegreesPerMinute,
             _ => Unit::None,
         }

@@ -44,30 +44,38 @@ pub struct Entry<'m> {
 impl<'p> RadioMessage<'p> {
     /// The message of a VDM or VDO. Never fails: what is wrong is found in [`Self::faults`].
     #[must_use]
+    #[inline]
     pub fn decode(payload: &'p [u8], fill_bits: u32) -> Self {
-        let mut message = Self::open(payload, fill_bits);
-        if message.bits.is_empty() {
-            message.fault.get_or_insert(MessageFaultKind::Empty);
-            return message;
+        let mut message = Self::new(payload, fill_bits);
+        message.take_bits();
+        message.take_type();
+        message
+    }
+
+    /// Finds the table of its type.
+    fn take_type(&mut self) {
+        if self.bits.is_empty() {
+            self.fault.get_or_insert(MessageFaultKind::Empty);
+            return;
         }
-        let kind = message.bits.get(0, 6) as u8;
-        message.kind = Some(kind);
-        message.items[0] = HEADER;
+        let kind = self.bits.get(0, 6) as u8;
+        self.kind = Some(kind);
+        self.items[0] = HEADER;
         match layout(kind) {
-            Some(layout) => message.lay_out(layout.title, layout.items, layout.least, layout.most),
+            Some(layout) => self.lay_out(layout.title, layout.items, layout.least, layout.most),
             None => {
-                _ = message
+                _ = self
                     .fault
                     .get_or_insert(MessageFaultKind::UnknownType(kind))
             }
         }
-        message
     }
 
     /// What ABM or BBM gives an AIS unit to send as message `number`: the part behind the addresses.
     #[must_use]
     pub fn contents(number: u8, payload: &'p [u8], fill_bits: u32) -> Self {
-        let mut message = Self::open(payload, fill_bits);
+        let mut message = Self::new(payload, fill_bits);
+        message.take_bits();
         message.kind = Some(number);
         let longest = 968;
         match number {
@@ -85,14 +93,16 @@ impl<'p> RadioMessage<'p> {
 
     /// The target at the beginning of the data of a TTD.
     pub(super) fn target(payload: &'p [u8], layout: &'static super::Layout) -> Self {
-        let mut message = Self::open(payload, 0);
+        let mut message = Self::new(payload, 0);
+        message.take_bits();
         message.lay_out(layout.title, layout.items, layout.least, layout.most);
         message
     }
 
+    // It is made in its place: a whole one is not moved.
     #[inline(always)]
-    fn open(payload: &'p [u8], fill_bits: u32) -> Self {
-        let mut message = Self {
+    const fn new(payload: &'p [u8], fill_bits: u32) -> Self {
+        Self {
             payload,
             fill_bits,
             bits: Bits::new(),
@@ -100,16 +110,19 @@ impl<'p> RadioMessage<'p> {
             title: None,
             items: [&[], &[]],
             fault: None,
-        };
-        if let Some(NoArmour { at, byte }) = message.bits.fill(payload) {
-            let place = at + 1;
-            message.fault = Some(MessageFaultKind::BadCharacter { place, byte });
-        } else if fill_bits > 5 {
-            message.fault = Some(MessageFaultKind::BadFillBits(fill_bits));
-        } else if payload.len() * 6 <= Bits::MOST {
-            message.bits.drop_last(fill_bits as usize);
         }
-        message
+    }
+
+    fn take_bits(&mut self) {
+        let (payload, fill_bits) = (self.payload, self.fill_bits);
+        if let Some(NoArmour { at, byte }) = self.bits.fill(payload) {
+            let place = at + 1;
+            self.fault = Some(MessageFaultKind::BadCharacter { place, byte });
+        } else if fill_bits > 5 {
+            self.fault = Some(MessageFaultKind::BadFillBits(fill_bits));
+        } else if payload.len() * 6 <= Bits::MOST {
+            self.bits.drop_last(fill_bits as usize);
+        }
     }
 
     fn lay_out(&mut self, title: &'static str, items: &'static [Item], least: usize, most: usize) {

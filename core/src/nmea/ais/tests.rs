@@ -44,11 +44,11 @@ fn value(random: &mut Random, field: &Field) -> Input {
         }
     };
     match &field.kind {
-        Kind::Number(scale) if null && scale.none != NEVER => Input::Null,
-        Kind::Number(scale) if random.below(8) == 0 && scale.top != NEVER => {
+        Kind::Whole(scale) | Kind::Number(scale) if null && scale.none != NEVER => Input::Null,
+        Kind::Whole(scale) | Kind::Number(scale) if random.below(8) == 0 && scale.top != NEVER => {
             Input::AtLeast(f64::from(scale.top) / f64::from(scale.divisor))
         }
-        Kind::Number(scale) => loop {
+        Kind::Whole(scale) | Kind::Number(scale) => loop {
             let raw = random.from(scale.low, scale.high.min(highest(field.width)));
             if raw != scale.none && raw != scale.none_too && raw != scale.top {
                 let value = f64::from(raw + scale.plus) / f64::from(scale.divisor);

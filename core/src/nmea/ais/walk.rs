@@ -38,27 +38,84 @@ impl<'w, 'm, F: FnMut(Entry<'m>) + ?Sized> Walk<'w, 'm, F> {
         for item in items {
             // One decision for what an item is, and one place where values are given: a processor foresees few.
             let (field, value) = match item {
-                Item::Field(field) if !self.whole(field) => {
-                    self.rest(field);
-                    continue;
-                }
-                Item::Field(field @ Field { kind, width, .. }) => {
-                    let at = self.at;
-                    self.at = at + width;
-                    let value = match kind {
-                        Kind::Number(scale) => self.number(field, scale, at),
-                        Kind::Code(none, _) => match self.bits.get(at, *width) as i32 {
-                            raw if raw == *none => Value::Null,
-                            raw => Value::Integer(i64::from(raw)),
-                        },
-                        Kind::Flag => Value::Flag(self.bits.get(at, 1) == 1),
-                        Kind::Text => SixBitText::read(self.bits, at, width / 6)
-                            .map_or(Value::Null, Value::Text),
-                        Kind::Turn => turn(self.bits.get_signed(at, 8)),
-                        Kind::Binary(_) => Value::Null,
-                        Kind::Spare => continue,
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Whole(scale),
+                        ..
+                    },
+                ) => {
+                    let Some(at) = self.take(field) else { continue };
+                    let raw = self.bits.get_scaled(at, field.width, scale.signed);
+                    let value = if scale.holds(raw) {
+                        Value::Integer(i64::from(raw + scale.plus))
+                    } else {
+                        self.strange(field, scale, raw)
                     };
                     (field, value)
+                }
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Number(scale),
+                        ..
+                    },
+                ) => {
+                    let Some(at) = self.take(field) else { continue };
+                    let raw = self.bits.get_scaled(at, field.width, scale.signed);
+                    let value = if scale.holds(raw) {
+                        Value::Number(scale.value(raw))
+                    } else {
+                        self.strange(field, scale, raw)
+                    };
+                    (field, value)
+                }
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Code(none, _),
+                        ..
+                    },
+                ) => {
+                    let Some(at) = self.take(field) else { continue };
+                    let raw = self.bits.get(at, field.width) as i32;
+                    let value = if raw == *none {
+                        Value::Null
+                    } else {
+                        Value::Integer(i64::from(raw))
+                    };
+                    (field, value)
+                }
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Flag, ..
+                    },
+                ) => {
+                    let Some(at) = self.take(field) else { continue };
+                    (field, Value::Flag(self.bits.get(at, 1) == 1))
+                }
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Text, ..
+                    },
+                ) => {
+                    let Some(at) = self.take(field) else { continue };
+                    let text = SixBitText::read(self.bits, at, field.width / 6);
+                    (field, text.map_or(Value::Null, Value::Text))
+                }
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Turn, ..
+                    },
+                ) => {
+                    let Some(at) = self.take(field) else { continue };
+                    (field, turn(self.bits.get_signed(at, 8)))
+                }
+                Item::Field(
+                    field @ Field {
+                        kind: Kind::Spare | Kind::Binary(_),
+                        ..
+                    },
+                ) => {
+                    self.take(field);
+                    continue;
                 }
                 Item::Part(items) => {
                     self.items(items);
@@ -95,10 +152,17 @@ impl<'w, 'm, F: FnMut(Entry<'m>) + ?Sized> Walk<'w, 'm, F> {
         }
     }
 
-    /// Whether all bits of a field are there.
+    /// Where a field begins that is there with all its bits; another one is given as far as it is there.
     #[inline(always)]
-    const fn whole(&self, field: &Field) -> bool {
-        field.width > 0 && !self.bits.lacks(self.at, field.width)
+    fn take(&mut self, field: &'static Field) -> Option<usize> {
+        let at = self.at;
+        if field.width > 0 && !self.bits.lacks(at, field.width) {
+            self.at = at + field.width;
+            Some(at)
+        } else {
+            self.rest(field);
+            None
+        }
     }
 
     fn each(&mut self, name: &'static str, most: usize, width: usize, items: &'static [Item]) {
@@ -126,25 +190,15 @@ impl<'w, 'm, F: FnMut(Entry<'m>) + ?Sized> Walk<'w, 'm, F> {
         (self.group, self.entry) = (None, 0);
     }
 
-    #[inline(always)]
-    fn number(&mut self, field: &'static Field, scale: &Scale, at: usize) -> Value<'m> {
-        let raw = if scale.signed {
-            self.bits.get_signed(at, field.width)
-        } else {
-            self.bits.get(at, field.width) as i32
-        };
-        if raw == scale.none || raw == scale.none_too {
-            Value::Null
-        } else if raw == scale.top {
-            Value::AtLeast(scale.value(raw))
-        } else if raw < scale.low || raw > scale.high {
-            self.out_of_range(field);
-            Value::Null
-        } else if scale.divisor == 1 {
-            Value::Integer(i64::from(raw + scale.plus))
-        } else {
-            Value::Number(scale.value(raw))
+    /// A coded value that does not mean itself.
+    fn strange(&mut self, field: &'static Field, scale: &Scale, raw: i32) -> Value<'m> {
+        if raw == scale.top {
+            return Value::AtLeast(scale.value(raw));
         }
+        if raw != scale.none && raw != scale.none_too {
+            self.out_of_range(field);
+        }
+        Value::Null
     }
 
     #[inline(always)]

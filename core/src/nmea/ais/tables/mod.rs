@@ -60,7 +60,7 @@ pub(in crate::nmea) static HEADER: &[Item] = items! {
 const MAX: i32 = i32::MAX;
 const WHOLE: Scale = Scale::new(1, 0, MAX, Unit::None);
 const MMSI: Scale = Scale::new(1, 0, 999_999_999, Unit::None);
-const SPEED: Scale = Scale::new(10, 0, 1022, Unit::Knots).none(1023).top(1022);
+const SPEED: Scale = Scale::new(10, 0, 1022, Unit::Knots).none(1023).top();
 const COURSE: Scale = Scale::new(10, 0, 3599, Unit::Degrees).none(3600);
 const HEADING: Scale = Scale::new(1, 0, 359, Unit::Degrees).none(511);
 /// Positions in 1/10000 minute.
@@ -72,8 +72,8 @@ const LATITUDE: Scale =
 const COARSE_LONGITUDE: Scale = Scale::new(600, -108_000, 108_000, Unit::Degrees).none(108_600);
 const COARSE_LATITUDE: Scale = Scale::new(600, -54_000, 54_000, Unit::Degrees).none(54_600);
 /// Length and breadth from the reference point.
-const LONG: Scale = Scale::new(1, 0, 511, Unit::Metres).top(511);
-const BROAD: Scale = Scale::new(1, 0, 63, Unit::Metres).top(63);
+const LONG: Scale = Scale::new(1, 0, 511, Unit::Metres).top();
+const BROAD: Scale = Scale::new(1, 0, 63, Unit::Metres).top();
 const MONTH: Scale = Scale::new(1, 1, 12, Unit::None).none(0);
 const DAY: Scale = Scale::new(1, 1, 31, Unit::None).none(0);
 const HOUR: Scale = Scale::new(1, 0, 23, Unit::None).none(24);
@@ -90,10 +90,10 @@ const fn field(name: &'static str, width: usize, kind: Kind, note: &'static str)
     })
 }
 const fn number(name: &'static str, width: usize, scale: Scale, note: &'static str) -> Item {
-    field(name, width, Kind::Number(scale), note)
+    field(name, width, scale.kind(), note)
 }
 const fn whole(name: &'static str, width: usize, note: &'static str) -> Item {
-    field(name, width, Kind::Number(WHOLE), note)
+    field(name, width, WHOLE.kind(), note)
 }
 const fn code(
     name: &'static str,
@@ -235,6 +235,36 @@ mod tests {
                 _ => 0,
             })
             .sum()
+    }
+
+    fn scales(items: &[Item], check: &mut dyn FnMut(&str, &Scale)) {
+        for item in items {
+            match item {
+                Item::Field(field) => {
+                    if let Kind::Whole(scale) | Kind::Number(scale) = &field.kind {
+                        check(field.name, scale);
+                    }
+                }
+                Item::Part(items)
+                | Item::When(_, items)
+                | Item::Longer(_, items)
+                | Item::Auxiliary(_, items)
+                | Item::Each(_, _, _, items) => scales(items, check),
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_available_lies_outside_the_range() {
+        let mut check = |name: &str, scale: &Scale| {
+            for none in [scale.none, scale.none_too] {
+                assert!(!(scale.low..=scale.high).contains(&none), "{name}");
+            }
+        };
+        for layout in layouts().chain([&TARGET, &APPROACH]) {
+            scales(layout.items, &mut check);
+        }
+        scales(HEADER, &mut check);
     }
 
     #[test]

@@ -31,8 +31,8 @@ const BASE: &[Item] = items! {
 };
 
 /// Altitude of an aircraft, and its speed in whole knots.
-const ALTITUDE: Scale = Scale::new(1, 0, 4094, Unit::Metres).none(4095).top(4094);
-const AIR_SPEED: Scale = Scale::new(1, 0, 1022, Unit::Knots).none(1023).top(1022);
+const ALTITUDE: Scale = Scale::new(1, 0, 4094, Unit::Metres).none(4095).top();
+const AIR_SPEED: Scale = Scale::new(1, 0, 1022, Unit::Knots).none(1023).top();
 
 const AIRCRAFT: &[Item] = items! {
     number("altitude", 12, ALTITUDE, "Altitude."),
@@ -101,7 +101,7 @@ const AID: &[Item] = items! {
 };
 
 /// Speed and course of a long-range report.
-const LONG_RANGE_SPEED: Scale = Scale::new(1, 0, 62, Unit::Knots).none(63).top(62);
+const LONG_RANGE_SPEED: Scale = Scale::new(1, 0, 62, Unit::Knots).none(63).top();
 const LONG_RANGE_COURSE: Scale = Scale::new(1, 0, 359, Unit::Degrees).none(511);
 
 const LONG_RANGE: &[Item] = items! {

@@ -3,7 +3,7 @@
 use super::*;
 
 const IMO: Scale = Scale::new(1, 1, 0x3FFF_FFFF, Unit::None).none(0);
-const DRAUGHT: Scale = Scale::new(10, 1, 255, Unit::Metres).none(0).top(255);
+const DRAUGHT: Scale = Scale::new(10, 1, 255, Unit::Metres).none(0).top();
 
 const VOYAGE: &[Item] = items! {
     code("ais_version", 2, NEVER, codes::edition, "Edition that the station complies with."),
