@@ -47,3 +47,12 @@ fn every_formatter_of_the_edition_of_2024_is_in_the_dictionary() {
     assert_eq!(missing, [""; 0]);
     assert_eq!(wanted.split_whitespace().count(), 133);
 }
+
+#[test]
+fn no_page_of_a_maker_reads_like_a_requirement() {
+    // Furuno numbers the pages of its list as our requirements of the autopilot are numbered.
+    let document = explain::document();
+    let cited: Vec<&str> = document.lines().filter(|l| l.contains("AP-")).collect();
+    assert_eq!(cited, [""; 0]);
+    assert!(document.contains("Furuno appendix p. 13"));
+}

@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 /// Fields of a sentence, the least and the greatest value of the device, in thousandths.
 type Range = (&'static str, &'static [u8], i64, i64);
 
-/// Furuno's digital interface list, AP-10 to AP-15. Speeds are shown with two decimals, so 99.94 is the last below 99.949.
+/// Furuno's digital interface list, appendix, pages 10 to 15. Speeds are shown with two decimals, so 99.94 is the last below 99.949.
 const FURUNO: &[Range] = &[
     ("ALF", &[11], 1_000, 99_000),
     ("ALF", &[12], 0, 2_000),

@@ -26,7 +26,7 @@ const TRANSITION: Format = Format::new(Unit::NauticalMiles, 1, 8, 1, 0);
 const DRAUGHT: Format = Format::new(Unit::Metres, 0, 25, 1, 1);
 
 sentences! {
-    vdm as Vdm = "VDM" b'!' [6] "AIS VHF data-link message", "IEC 61162-1 VDM; Furuno AP-11" {
+    vdm as Vdm = "VDM" b'!' [6] "AIS VHF data-link message", "IEC 61162-1 VDM; Furuno appendix p. 11" {
         total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 9, 1)) "Identifier that joins them; null for a single one.",
@@ -34,7 +34,7 @@ sentences! {
         payload: payload() "Encapsulated message of ITU-R M.1371.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
     }
-    vdo as Vdo = "VDO" b'!' [6] "AIS VHF data-link own-vessel report", "IEC 61162-1 VDO; Furuno AP-11" {
+    vdo as Vdo = "VDO" b'!' [6] "AIS VHF data-link own-vessel report", "IEC 61162-1 VDO; Furuno appendix p. 11" {
         total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 9, 1)) "Identifier that joins them.",
@@ -42,7 +42,7 @@ sentences! {
         payload: payload() "Encapsulated message of ITU-R M.1371.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
     }
-    abm as Abm = "ABM" b'!' [8] "AIS addressed binary and safety-related message", "IEC 61162-1 ABM; Furuno AP-13" {
+    abm as Abm = "ABM" b'!' [8] "AIS addressed binary and safety-related message", "IEC 61162-1 ABM; Furuno appendix p. 13" {
         total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 3, 1)) "Identifier of the message.",
@@ -52,7 +52,7 @@ sentences! {
         payload: payload() "Encapsulated data.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
     }
-    bbm as Bbm = "BBM" b'!' [7] "AIS broadcast binary message", "IEC 61162-1 BBM; Furuno AP-13" {
+    bbm as Bbm = "BBM" b'!' [7] "AIS broadcast binary message", "IEC 61162-1 BBM; Furuno appendix p. 13" {
         total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
@@ -61,7 +61,7 @@ sentences! {
         payload: payload() "Encapsulated data.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
     }
-    vsd as Vsd = "VSD" b'$' [9] "AIS voyage static data", "IEC 61162-1 VSD; Furuno AP-15" {
+    vsd as Vsd = "VSD" b'$' [9] "AIS voyage static data", "IEC 61162-1 VSD; Furuno appendix p. 15" {
         ship_type: integer(whole(0, 255, 1)) "Type of ship and cargo.",
         draught: number(DRAUGHT) "Greatest present static draught.",
         persons: integer(whole(0, 8191, 1)) "Persons on board.",

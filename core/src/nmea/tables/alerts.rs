@@ -29,7 +29,7 @@ sentences! {
         acknowledged: code(AcknowledgeState) "Acknowledge state.",
         text: text(40) "Description; null from this autopilot.",
     }
-    ack as Ack = "ACK" b'$' [1] "Acknowledge alarm", "IEC 61162-1 ACK; Furuno AP-10" {
+    ack as Ack = "ACK" b'$' [1] "Acknowledge alarm", "IEC 61162-1 ACK; Furuno appendix p. 10" {
         number: integer(whole(0, 99999, 3)) "Number of the alarm that is acknowledged.",
     }
     ala as Ala = "ALA" b'$' [8] "Report detailed alarm condition", "IEC 61162-1 ALA; Navis A.8" {
@@ -42,7 +42,7 @@ sentences! {
         acknowledged: code(DetailedAcknowledge) "Acknowledge state; A and V are sent.",
         text: text(40) "Description; null from this autopilot.",
     }
-    arc as Arc = "ARC" b'$' [5] "Alert command refused", "IEC 61162-1 ARC; Furuno AP-13" {
+    arc as Arc = "ARC" b'$' [5] "Alert command refused", "IEC 61162-1 ARC; Furuno appendix p. 13" {
         time: time() "Time of the refusal.",
         manufacturer: text(3) "Manufacturer of a proprietary alert.",
         alert: integer(whole(0, 9_999_999, 1)) "Alert identifier.",
@@ -57,12 +57,12 @@ sentences! {
         command: code(AlertCommand) "What is asked.",
         status: code(CommandStatus) "Sentence status; C.",
     }
-    hbt as Hbt = "HBT" b'$' [3] "Heartbeat supervision sentence", "IEC 61162-1 HBT; Furuno AP-10" {
+    hbt as Hbt = "HBT" b'$' [3] "Heartbeat supervision sentence", "IEC 61162-1 HBT; Furuno appendix p. 10" {
         interval: number(SECONDS) "Configured repeat interval.",
         status: code(EquipmentStatus) "Equipment status.",
         sequence: integer(whole(0, 9, 1)) "Counts from 0 to 9.",
     }
-    eve as Eve = "EVE" b'$' [3] "General event message", "IEC 61162-1 EVE; Furuno AP-13" {
+    eve as Eve = "EVE" b'$' [3] "General event message", "IEC 61162-1 EVE; Furuno appendix p. 13" {
         time: time() "Event time.",
         tag: text(6) "Source of the event, such as EI0001.",
         text: text(60) "Description, such as OPERATION.",
@@ -74,7 +74,7 @@ sentences! {
         reason: integer(whole(0, 99, 1)) "Reason code.",
         text: text(60) "Description.",
     }
-    alc as Alc = "ALC" b'$' [] "Cyclic alert list", "IEC 61162-1 ALC; Furuno AP-12" {
+    alc as Alc = "ALC" b'$' [] "Cyclic alert list", "IEC 61162-1 ALC; Furuno appendix p. 12" {
         total: integer(whole(1, 99, 2)) "Number of sentences of this list.",
         number: integer(whole(1, 99, 2)) "Number of this sentence.",
         sequence: integer(whole(0, 99, 2)) "Identifier of the list.",
@@ -86,7 +86,7 @@ sentences! {
             revision: integer(whole(0, 99, 1)) "Revision counter.",
         }
     }
-    alf as Alf = "ALF" b'$' [13] "Alert sentence", "IEC 61162-1 ALF; Furuno AP-13" {
+    alf as Alf = "ALF" b'$' [13] "Alert sentence", "IEC 61162-1 ALF; Furuno appendix p. 13" {
         total: integer(whole(1, 2, 1)) "Number of sentences of this alert.",
         number: integer(whole(1, 2, 1)) "Number of this sentence; the second carries the additional text.",
         sequence: integer(whole(0, 9, 1)) "Identifier that joins the two.",

@@ -50,7 +50,7 @@ sentences! {
         status: code(DataStatus) "V makes the sentence count as not received.",
         mode: code(ModeIndicator) "Mode indicator; E, M, S and N are not used.",
     }
-    vtg as Vtg = "VTG" b'$' [9, 8] "Course over ground and ground speed", "IEC 61162-1 VTG; Navis A.17; Furuno AP-13" {
+    vtg as Vtg = "VTG" b'$' [9, 8] "Course over ground and ground speed", "IEC 61162-1 VTG; Navis A.17; Furuno appendix p. 13" {
         course_true: lettered(DIRECTION, b'T') "Course over ground, true.",
         course_magnetic: lettered(DIRECTION, b'M') "Course over ground, magnetic; not used.",
         speed_knots: lettered(KNOTS, b'N') "Speed over ground; the speed source SOG.",
@@ -68,7 +68,7 @@ sentences! {
         age: number(SECONDS) "Age of the differential data; not used.",
         station: text(4) "Differential reference station; not used.",
     }
-    rmc as Rmc = "RMC" b'$' [13, 12, 11] "Recommended minimum specific GNSS data", "IEC 61162-1 RMC; Furuno AP-10; OpenPlotter interface 1.2.1" {
+    rmc as Rmc = "RMC" b'$' [13, 12, 11] "Recommended minimum specific GNSS data", "IEC 61162-1 RMC; Furuno appendix p. 10; OpenPlotter interface 1.2.1" {
         time: time() "UTC of the position.",
         status: code(DataStatus) "V makes the sentence count as not received.",
         position: position(5) "Position.",
@@ -79,7 +79,7 @@ sentences! {
         mode: code(ModeIndicator) "Mode indicator, since NMEA 2.3; E, M, S and N are not used.",
         safety: code(NavigationStatus) "Navigational status, since NMEA 4.1.",
     }
-    zda as Zda = "ZDA" b'$' [6] "Time and date", "IEC 61162-1 ZDA; Furuno AP-13" {
+    zda as Zda = "ZDA" b'$' [6] "Time and date", "IEC 61162-1 ZDA; Furuno appendix p. 13" {
         time: time() "UTC.",
         day: integer(whole(1, 31, 2)) "Day.",
         month: integer(whole(1, 12, 2)) "Month.",

@@ -35,7 +35,7 @@ codes! {
 const MINUTES: Format = Format::new(Unit::Minutes, -i32::MAX, i32::MAX, 1, 2);
 
 sentences! {
-    osd as Osd = "OSD" b'$' [9] "Own ship data", "IEC 61162-1 OSD; Furuno AP-14" {
+    osd as Osd = "OSD" b'$' [9] "Own ship data", "IEC 61162-1 OSD; Furuno appendix p. 14" {
         heading: number(DIRECTION) "Heading, true.",
         heading_status: code(DataStatus) "Its status.",
         course: number(DIRECTION) "Course, true.",
@@ -46,7 +46,7 @@ sentences! {
         drift: number(SIZE) "Drift, manually entered.",
         unit: code(SpeedUnit) "Unit of the speeds.",
     }
-    rsd as Rsd = "RSD" b'$' [13] "Radar system data", "IEC 61162-1 RSD; Furuno AP-14" {
+    rsd as Rsd = "RSD" b'$' [13] "Radar system data", "IEC 61162-1 RSD; Furuno appendix p. 14" {
         origin_1_range: number(SIZE) "Range of origin 1 from own ship.",
         origin_1_bearing: number(DIRECTION) "Bearing of origin 1.",
         vrm_1: number(SIZE) "Variable range marker 1.",
@@ -61,7 +61,7 @@ sentences! {
         unit: code(RangeUnit) "Unit of the ranges.",
         rotation: code(DisplayRotation) "Rotation of the display.",
     }
-    ttm as Ttm = "TTM" b'$' [15, 14, 13] "Tracked target message", "IEC 61162-1 TTM; Furuno AP-15" {
+    ttm as Ttm = "TTM" b'$' [15, 14, 13] "Tracked target message", "IEC 61162-1 TTM; Furuno appendix p. 15" {
         target: integer(whole(0, 1023, 2)) "Number of the target.",
         distance: number(SIZE) "Distance from own ship.",
         bearing: number(DIRECTION) "Bearing from own ship.",
@@ -78,7 +78,7 @@ sentences! {
         time: time() "UTC of the data.",
         acquisition: code(Acquisition) "How it was acquired.",
     }
-    tlb as Tlb = "TLB" b'$' [] "Target label", "IEC 61162-1 TLB; Furuno AP-14" {
+    tlb as Tlb = "TLB" b'$' [] "Target label", "IEC 61162-1 TLB; Furuno appendix p. 14" {
         ; each Open() TlbLabel labels {
             target: number(COUNT) "Number of the target.",
             label: text(20) "Label assigned to it.",
@@ -92,7 +92,7 @@ sentences! {
         status: code(TargetStatus) "Its status.",
         reference: code(TargetReference) "R for a reference target, else null.",
     }
-    ttd as Ttd = "TTD" b'!' [5] "Tracked target data", "IEC 61162-1 TTD; Furuno AP-14" {
+    ttd as Ttd = "TTD" b'!' [5] "Tracked target data", "IEC 61162-1 TTD; Furuno appendix p. 14" {
         total: hex(2) "Number of sentences of this message, hexadecimal.",
         number: hex(2) "Number of this sentence, hexadecimal.",
         sequence: integer(whole(0, 9, 1)) "Identifier of the message.",

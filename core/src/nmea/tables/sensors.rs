@@ -18,10 +18,10 @@ codes! {
 }
 
 sentences! {
-    hdt as Hdt = "HDT" b'$' [2] "Heading, true", "IEC 61162-1 HDT; Navis A.9, A.10; Furuno AP-10" {
+    hdt as Hdt = "HDT" b'$' [2] "Heading, true", "IEC 61162-1 HDT; Navis A.9, A.10; Furuno appendix p. 10" {
         heading: lettered(DIRECTION, b'T') "True heading; steered by, at most 2 s old. Forwarded with its source's talker.",
     }
-    ths as Ths = "THS" b'$' [2] "True heading and status", "IEC 61162-1 THS; Navis A.11; Furuno AP-10" {
+    ths as Ths = "THS" b'$' [2] "True heading and status", "IEC 61162-1 THS; Navis A.11; Furuno appendix p. 10" {
         heading: number(DIRECTION) "True heading.",
         mode: code(ThsMode) "Mode indicator; only A is used.",
     }
@@ -37,7 +37,7 @@ sentences! {
         rate: number(RATE) "Rate of turn, starboard positive; shown as S, else calculated from the heading (C).",
         status: code(DataStatus) "V makes the sentence count as not received.",
     }
-    vhw as Vhw = "VHW" b'$' [8] "Water speed and heading", "IEC 61162-1 VHW; Navis A.14; Furuno AP-12" {
+    vhw as Vhw = "VHW" b'$' [8] "Water speed and heading", "IEC 61162-1 VHW; Navis A.14; Furuno appendix p. 12" {
         heading_true: lettered(DIRECTION, b'T') "True heading; not used.",
         heading_magnetic: lettered(DIRECTION, b'M') "Magnetic heading; not used.",
         speed_knots: lettered(SPEED_THROUGH, b'N') "Speed through the water; the speed source LOG.",
@@ -87,7 +87,7 @@ sentences! {
             later_3: any() "Since the edition of 2024.",
         }
     }
-    vbw as Vbw = "VBW" b'$' [10, 6] "Dual ground/water speed", "IEC 61162-1 VBW; Navis A.15; Furuno AP-12" {
+    vbw as Vbw = "VBW" b'$' [10, 6] "Dual ground/water speed", "IEC 61162-1 VBW; Navis A.15; Furuno appendix p. 12" {
         water_ahead: number(SPEED_THROUGH) "Longitudinal water speed, ahead positive; the speed source LOG.",
         water_athwart: number(SPEED_THROUGH) "Transverse water speed, starboard positive; not used.",
         water_status: code(DataStatus) "V makes the water speed count as not received.",
@@ -105,7 +105,7 @@ sentences! {
         ground_total: lettered(MILES, b'N') "Total distance over ground.",
         ground_trip: lettered(MILES, b'N') "Distance over ground since reset.",
     }
-    vdr as Vdr = "VDR" b'$' [6] "Set and drift", "IEC 61162-1 VDR; Furuno AP-12" {
+    vdr as Vdr = "VDR" b'$' [6] "Set and drift", "IEC 61162-1 VDR; Furuno appendix p. 12" {
         set_true: lettered(DIRECTION, b'T') "Direction towards which the current sets, true.",
         set_magnetic: lettered(DIRECTION, b'M') "The same, magnetic.",
         drift: lettered(KNOTS, b'N') "Speed of the current.",

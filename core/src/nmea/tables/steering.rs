@@ -7,7 +7,7 @@ use crate::nmea::macros::{definition, kind, meanings, sentences, view, view_type
 
 // HTC-2: the notes of both speak of F1's notes 1 to 7 in our own words.
 sentences! {
-    htc as Htc = "HTC" b'$' [14, 13] "Heading/track control command", "IEC 61162-1 HTC; Navis A.20; Furuno RD-50 AP-9" {
+    htc as Htc = "HTC" b'$' [14, 13] "Heading/track control command", "IEC 61162-1 HTC; Navis A.20; Furuno RD-50 appendix p. 9" {
         override_status: code(OverrideStatus) "Override: while in use, steering is done by special devices for a time, both modes are ignored and the controller computes as in manual steering; the autopilot goes to STANDBY at once and resumes only by the operator.",
         rudder_angle: sided(RUDDER_SIZE, LR) "Commanded rudder angle, for rudder control only; shown, not used in AutoNAV.",
         steering_mode: code(SteeringMode) "Selected steering mode, by a selector switch or by an earlier HTC; which of them goes first, and which fields are used, each maker states (here: NFU, operator, hand unit, HTC, HSC, APB). M: the main steering system steers. S: works as a stand-alone heading controller, takes no heading to steer from outside. H (Tn): takes the heading to steer from an external device, as a remotely controlled heading controller. T (Ti): corrects the course of the commanded track by the track errors that it receives, from XTE or APB. R: takes rudder angle and side from an external device and steers by the same electronic means as S, H and T; never obeyed from outside here.",
@@ -22,7 +22,7 @@ sentences! {
         reference: code(Reference) "Heading reference in use; null or the autopilot's own is accepted, another refuses the sentence.",
         status: code(CommandStatus) "Sentence status: only C is a command; R reports present settings, as the answer to a query. It should not be null: null counts as a command only where the port accepts it.",
     }
-    htd as Htd = "HTD" b'$' [17] "Heading/track control data", "IEC 61162-1 HTD; Navis A.4; Furuno RD-50 AP-9" {
+    htd as Htd = "HTD" b'$' [17] "Heading/track control data", "IEC 61162-1 HTD; Navis A.4; Furuno RD-50 appendix p. 9" {
         override_status: code(OverrideStatus) "Override: steering is done by special devices for a time and both modes are to be ignored; in use only while the hardware override (NFU) steers.",
         rudder_angle: sided(RUDDER_SIZE, LR) "Commanded rudder angle: the autopilot's rudder order.",
         steering_mode: code(SteeringMode) "Steering mode: M STANDBY, S AUTO, H AutoNAV Tn, T AutoNAV Ti or TRACK, R rudder control; null in the installation menu.",
@@ -79,7 +79,7 @@ sentences! {
             bow_status: code(DataStatus) "Its status.",
         }
     }
-    ror as Ror = "ROR" b'$' [5, 9] "Rudder order status", "IEC 61162-1 ROR; Navis A.3; Furuno FMD-3100 AP-13" {
+    ror as Ror = "ROR" b'$' [5, 9] "Rudder order status", "IEC 61162-1 ROR; Navis A.3; Furuno FMD-3100 appendix p. 13" {
         starboard: number(RUDDER) "Starboard or single rudder order, starboard positive.",
         starboard_status: code(DataStatus) "Its status.",
         port: number(RUDDER) "Port rudder order; null with a single rudder.",

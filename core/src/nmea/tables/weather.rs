@@ -20,10 +20,10 @@ const BARS: Format = Format::new(Unit::Bars, 0, i32::MAX, 1, 4);
 const INCHES: Format = Format::new(Unit::InchesOfMercury, 0, i32::MAX, 1, 2);
 
 sentences! {
-    mtw as Mtw = "MTW" b'$' [2] "Water temperature", "IEC 61162-1 MTW; Furuno AP-10" {
+    mtw as Mtw = "MTW" b'$' [2] "Water temperature", "IEC 61162-1 MTW; Furuno appendix p. 10" {
         temperature: lettered(CELSIUS, b'C') "Water temperature.",
     }
-    mwv as Mwv = "MWV" b'$' [5] "Wind speed and angle", "IEC 61162-1 MWV; Furuno AP-10" {
+    mwv as Mwv = "MWV" b'$' [5] "Wind speed and angle", "IEC 61162-1 MWV; Furuno appendix p. 10" {
         angle: number(DIRECTION) "Wind angle from the bow.",
         reference: code(WindReference) "R apparent, T true.",
         speed: number(SIZE) "Wind speed.",
