@@ -1,7 +1,10 @@
 //! The alert bar and the list (IEC 62923): the highest alert, the others beside it, silence and acknowledge.
+//!
+//! **Invariant:** the bar's height and its buttons' places do not depend on what is in it.
 
 use crate::deck::Deck;
 use crate::format;
+use crate::link::steady;
 use leptos::prelude::*;
 use wheelover_core::alerts::{Category, Priority, State};
 use wheelover_core::view::{AlertView, Order};
@@ -95,14 +98,16 @@ pub(crate) fn AlertBar() -> impl IntoView {
                 .any(|alert| alert.state == State::Unacknowledged)
         })
     });
+    // What the button takes is what the bar shows.
     let takable = Memo::new(move |_| {
-        alerts.with(|alerts| {
-            alerts
-                .iter()
-                .find(|alert| may_acknowledge(alert))
+        top.with(|top| {
+            top.as_ref()
+                .filter(|a| may_acknowledge(a))
                 .map(|a| a.number)
         })
     });
+    let taking = Taking::default();
+    provide_context(taking);
     let others = Memo::new(move |_| {
         alerts.with(|alerts| alerts.iter().skip(1).cloned().collect::<Vec<_>>())
     });
@@ -127,15 +132,22 @@ pub(crate) fn AlertBar() -> impl IntoView {
                             data-state=state_key(alert.state)
                             on:click=move |_| open.update(|open| *open = !*open)
                         >
-                            <b role="alert">{alert.title.clone()}</b>
+                            <span class="head">
+                                <b role="alert">{alert.title.clone()}</b>
+                                <span class="small">{aside(&alert)}</span>
+                            </span>
                             <span class="say">{alert.text.clone()}</span>
-                            <span class="small">{aside(&alert)}</span>
                         </button>
                     }
                         .into_any()
                 }
             }}
-            {move || others.get().into_iter().map(other).collect_view()}
+            <span class="others">
+                {move || others.get().into_iter().map(other).collect_view()}
+                <span class="more" class:hidden=move || others.with(Vec::is_empty)>
+                    {move || format!("+{}", others.with(Vec::len))}
+                </span>
+            </span>
             <button
                 type="button"
                 class="act"
@@ -152,7 +164,7 @@ pub(crate) fn AlertBar() -> impl IntoView {
                 disabled=move || takable.get().is_none()
                 on:click=move |_| {
                     if let Some(number) = takable.get_untracked() {
-                        deck.command("acknowledge", Order::Acknowledge(number));
+                        taking.acknowledge(deck, number);
                     }
                 }
             >
@@ -165,10 +177,34 @@ pub(crate) fn AlertBar() -> impl IntoView {
     }
 }
 
+/// One tap takes one alert: so long after an acknowledgement no other is sent, milliseconds. The second tap of two would
+/// take an alert that nobody has read yet.
+const NEXT_TAKEN: f64 = 700.0;
+
+/// When this page last acknowledged.
+#[derive(Clone, Copy)]
+struct Taking(StoredValue<f64>);
+
+impl Default for Taking {
+    fn default() -> Self {
+        Self(StoredValue::new(f64::NEG_INFINITY))
+    }
+}
+
+impl Taking {
+    fn acknowledge(self, deck: Deck, number: u16) {
+        let now = steady();
+        if now - self.0.get_value() > NEXT_TAKEN {
+            self.0.set_value(now);
+            deck.command("acknowledge", Order::Acknowledge(number));
+        }
+    }
+}
+
 /// A further alert, beside the highest.
 fn other(alert: AlertView) -> impl IntoView {
     view! {
-        <span class="small" data-alert=alert.number.to_string() data-state=state_key(alert.state)>
+        <span class="small other" data-alert=alert.number.to_string() data-state=state_key(alert.state)>
             {format!("+ {}", alert.title)}
         </span>
     }
@@ -190,6 +226,7 @@ fn aside(alert: &AlertView) -> String {
 #[component]
 fn Row(alert: AlertView) -> impl IntoView {
     let deck = Deck::here();
+    let taking = expect_context::<Taking>();
     let (number, at) = (alert.number, alert.at);
     let age = Memo::new(move |_| {
         deck.readings
@@ -198,13 +235,17 @@ fn Row(alert: AlertView) -> impl IntoView {
     view! {
         <div>
             <Icon priority=alert.priority state=alert.state/>
-            <b>{alert.title.clone()}</b>
-            <span>{alert.text.clone()}</span>
-            <span class="small">{move || format::seconds(age.get())}</span>
+            <p>
+                <b>{alert.title.clone()}</b>
+                " "
+                <span class="small">{move || format::seconds(age.get())}</span>
+                <br/>
+                {alert.text.clone()}
+            </p>
             <button
                 type="button"
                 disabled=!may_acknowledge(&alert)
-                on:click=move |_| deck.command("acknowledge", Order::Acknowledge(number))
+                on:click=move |_| taking.acknowledge(deck, number)
             >
                 "ACK"
             </button>

@@ -76,15 +76,19 @@ pub(crate) fn TopBar(view: RwSignal<View>) -> impl IntoView {
             >
                 {title}
             </span>
-            <span class="turn">{move || turn.with(|(headline, _)| headline.clone())}</span>
-            <span class="detail">{move || turn.with(|(_, detail)| detail.clone())}</span>
+            <div class="headline">
+                <span class="turn">{move || turn.with(|(headline, _)| headline.clone())}</span>
+                <span class="detail">{move || turn.with(|(_, detail)| detail.clone())}</span>
+            </div>
             <Sources/>
             <span class="disagree" class:hidden=move || deck.agreement.get() != Agreement::Disagree>
                 "PICTURE DIFFERS FROM SERVER"
             </span>
             <span class="disagree" class:hidden=move || deck.misread.get() == 0>"OTHER VERSION: RELOAD"</span>
-            <LinkMark/>
-            <time class="utc">{move || format::clock(deck.utc.get())}" UTC"</time>
+            <div class="alive">
+                <LinkMark/>
+                <time class="utc">{move || format::clock(deck.utc.get())}" UTC"</time>
+            </div>
             <nav class="tabs">
                 {tab(View::Bridge, "#/bridge", "BRIDGE")}
                 {tab(View::Dialogue, "#/dialogue", "DIALOGUE")}

@@ -1,4 +1,7 @@
 //! The controls: STANDBY at one press; AUTO, its heading and AutoNAV by press and confirm; the reason for the mode.
+//!
+//! **Invariant:** every button has its place at all times, and CONFIRM has one that nothing else ever had: a finger that
+//! taps again where it tapped confirms nothing.
 
 use crate::deck::Deck;
 use crate::link::steady;
@@ -26,13 +29,14 @@ impl Armed {
         }
     }
 
+    /// What CONFIRM would do.
     fn words(&self, set: Option<f64>) -> String {
         match self {
-            Self::Auto => "CONFIRM AUTO".to_owned(),
-            Self::Autonav => "CONFIRM AutoNAV".to_owned(),
+            Self::Auto => "AUTO".to_owned(),
+            Self::Autonav => "AutoNAV".to_owned(),
             Self::Turn(degrees) => match set {
-                Some(set) => format!("CONFIRM {}°", format::direction(Some(set + degrees))),
-                None => format!("CONFIRM {}°", format::sided(Some(*degrees), 0)),
+                Some(set) => format!("{}°", format::direction(Some(set + degrees))),
+                None => format!("{}°", format::sided(Some(*degrees), 0)),
             },
         }
     }
@@ -81,7 +85,7 @@ pub(super) fn Control() -> impl IntoView {
         armed.with(|armed| {
             armed.as_ref().map_or_else(String::new, |(what, until)| {
                 let seconds = format::fixed(((until - steady()) / 1_000.0).max(0.0), 0);
-                format!("{} ({seconds})", what.words(set.get()))
+                format!("{} · {seconds} s", what.words(set.get()))
             })
         })
     };
@@ -106,56 +110,68 @@ pub(super) fn Control() -> impl IntoView {
     };
     view! {
         <div class="bar control">
-            <button
-                type="button"
-                class="standby"
-                data-command="standby"
-                aria-pressed=move || pressed(mode.get() == Some(ModeName::Standby))
-                on:click=move |_| {
-                    armed.set(None);
-                    deck.command("standby", Order::Mode(ModeRequest::Standby));
-                }
-            >
-                "STANDBY"
-            </button>
-            <button
-                type="button"
-                data-command="auto"
-                aria-pressed=move || pressed(mode.get() == Some(ModeName::Auto))
-                disabled=move || !may.get()
-                on:click=move |_| arm(Armed::Auto)
-            >
-                "AUTO"
-            </button>
-            <button
-                type="button"
-                data-command="autonav"
-                aria-pressed=move || {
-                    pressed(matches!(mode.get(), Some(ModeName::AutonavTi | ModeName::AutonavTn)))
-                }
-                disabled=move || !may.get()
-                on:click=move |_| arm(Armed::Autonav)
-            >
-                "AutoNAV"
-            </button>
-            {adjust("adjust-10", "−10", -10.0)}
-            {adjust("adjust-1", "−1", -1.0)}
-            <span class="caption">"SET HDG "<b data-value="set-heading">{move || format::direction(set.get())}</b></span>
-            {adjust("adjust+1", "+1", 1.0)}
-            {adjust("adjust+10", "+10", 10.0)}
+            <div class="keys">
+                <button
+                    type="button"
+                    class="standby"
+                    data-command="standby"
+                    aria-pressed=move || pressed(mode.get() == Some(ModeName::Standby))
+                    on:click=move |_| {
+                        armed.set(None);
+                        deck.command("standby", Order::Mode(ModeRequest::Standby));
+                    }
+                >
+                    "STANDBY"
+                </button>
+                <button
+                    type="button"
+                    data-command="auto"
+                    aria-pressed=move || pressed(mode.get() == Some(ModeName::Auto))
+                    disabled=move || !may.get()
+                    on:click=move |_| arm(Armed::Auto)
+                >
+                    "AUTO"
+                </button>
+                <button
+                    type="button"
+                    data-command="autonav"
+                    aria-pressed=move || {
+                        pressed(matches!(mode.get(), Some(ModeName::AutonavTi | ModeName::AutonavTn)))
+                    }
+                    disabled=move || !may.get()
+                    on:click=move |_| arm(Armed::Autonav)
+                >
+                    "AutoNAV"
+                </button>
+                {adjust("adjust-10", "−10", -10.0)}
+                {adjust("adjust-1", "−1", -1.0)}
+                <span class="set">
+                    <small>"SET HDG"</small>
+                    <b data-value="set-heading">{move || format::direction(set.get())}</b>
+                </span>
+                {adjust("adjust+1", "+1", 1.0)}
+                {adjust("adjust+10", "+10", 10.0)}
+            </div>
+            <p class="why" role="status">
+                <b class="pending" data-value="pending">{move || pending.get()}</b>
+                <span data-value="why">{move || why(deck, &own)}</span>
+            </p>
             <button
                 type="button"
                 class="confirm"
-                class:hidden=move || !is_armed.get()
                 data-command="confirm"
+                disabled=move || !is_armed.get()
                 on:click=confirm
             >
-                {left}
+                <b>"CONFIRM"</b>
+                <span data-value="armed">{left}</span>
             </button>
             <button
                 type="button"
+                class="cancel"
                 data-command="cancel"
-                class:hidden=move || !is_armed.get() && pending.with(Option::is_none)
+                aria-label="cancel"
+                disabled=move || !is_armed.get() && pending.with(Option::is_none)
                 on:click=move |_| {
                     if armed.get_untracked().is_some() {
                         armed.set(None);
@@ -166,10 +182,6 @@ pub(super) fn Control() -> impl IntoView {
             >
                 "✕"
             </button>
-            <p class="why" role="status" class:hidden=move || is_armed.get()>
-                <b class="pending" data-value="pending">{move || pending.get()}</b>
-                <span data-value="why">{move || why(deck, &own)}</span>
-            </p>
         </div>
     }
 }

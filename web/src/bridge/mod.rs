@@ -1,4 +1,4 @@
-//! The bridge view: plan and controls at the left, instruments at the right, the route along the bottom.
+//! The bridge view: plan, instruments, route and the voyage's bar; the controls stand outside of what may scroll (AP-25).
 
 mod control;
 mod instruments;
@@ -13,13 +13,13 @@ use leptos::prelude::*;
 pub(crate) fn Bridge() -> impl IntoView {
     view! {
         <main class="bridge">
-            <div class="left">
+            <div class="view">
                 <Plan/>
-                <control::Control/>
+                <instruments::Instruments/>
+                <strip::Strip/>
                 <voyage::VoyageBar/>
             </div>
-            <instruments::Instruments/>
-            <strip::Strip/>
+            <control::Control/>
         </main>
     }
 }

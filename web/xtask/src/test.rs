@@ -2,7 +2,7 @@
 
 use crate::page;
 use crate::serve::server;
-use crate::tools::{BARE, WASM, browser, gpsd, has_target, wasm_target};
+use crate::tools::{BARE, WASM, browser, fonts, gpsd, has_target, wasm_target};
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
@@ -14,9 +14,15 @@ use xtask::shell::{Failure, Outcome, cargo, has, output, root, run, step, target
 /// The step that failed.
 pub(crate) fn test() -> Outcome {
     let started = Instant::now();
-    step("tools: wasm target, Chromium, chromedriver, gpsd", || {
-        wasm_target().and_then(|()| browser()).and_then(|()| gpsd())
-    })?;
+    step(
+        "tools: wasm target, Chromium, chromedriver, fonts, gpsd",
+        || {
+            wasm_target()
+                .and_then(|()| browser())
+                .and_then(|()| fonts())
+                .and_then(|()| gpsd())
+        },
+    )?;
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
     step("files under 400 lines, one subject each", file_lengths)?;
     step("clippy, native", || {

@@ -56,6 +56,27 @@ pub(crate) fn browser() -> Outcome {
     )
 }
 
+/// Installs the fonts in which the layout is tested, where they are missing and the system's packages can be installed.
+///
+/// # Errors
+/// They are missing and cannot be installed.
+pub(crate) fn fonts() -> Outcome {
+    let known = output(Command::new("fc-list").args([":", "family"])).unwrap_or_default();
+    let here = |family: &str| known.lines().any(|line| line.starts_with(family));
+    if ["Roboto", "Noto Sans", "DejaVu Sans"].into_iter().all(here) {
+        return Ok(());
+    }
+    install(
+        &[
+            "fontconfig",
+            "fonts-roboto",
+            "fonts-noto-core",
+            "fonts-dejavu",
+        ],
+        "the layout tests need the fonts Roboto, Noto Sans and DejaVu Sans; install them",
+    )
+}
+
 /// Installs gpsd's decoder where it is missing and the system's packages can be installed (FB14).
 ///
 /// # Errors

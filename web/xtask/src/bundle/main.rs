@@ -239,7 +239,10 @@ fn inline(page: &str, open: &str, close: &str) -> Vec<String> {
 }
 
 fn style(fixed: &Path) -> Result<String, Failure> {
-    Ok(text(&fixed.join("page.css"))? + &text(&fixed.join("talk.css"))?)
+    ["page.css", "talk.css", "sizes.css"]
+        .iter()
+        .map(|name| text(&fixed.join(name)))
+        .collect()
 }
 
 fn length(path: &Path) -> Result<u64, Failure> {
