@@ -214,6 +214,31 @@ pub fn waypoint(identifier: Option<&str>) -> String {
     }
 }
 
+/// Heading of the cross-track panel and of its second distance: only on the radius does XTE refer to the arc and PNEY,001
+/// to the next leg; on the forwarding distance both still refer to the leg (interface.md 4, situations 3 and 4).
+#[must_use]
+pub const fn cross_track_words(situation: Option<u8>) -> (&'static str, &'static str) {
+    match situation {
+        Some(4) => ("XTD m (to radius)", "next leg "),
+        _ => ("XTD m", "control "),
+    }
+}
+
+/// What the top bar says under track control and under remote heading control, which has courses and no legs (DSP-1, DSP-2).
+#[must_use]
+pub fn headline(remote: bool, turn: Option<&str>, track: f64, waypoint: &str) -> (String, String) {
+    let track = direction(Some(track));
+    match (turn, remote) {
+        (Some(side), true) => (format!("TURN {side}"), format!("to course {track}°")),
+        (Some(side), false) => (
+            format!("TURN {side}"),
+            format!("at WP {waypoint} → {track}°"),
+        ),
+        (None, true) => (format!("COURSE {track}°"), String::new()),
+        (None, false) => (format!("LEG {track}°"), format!("to WP {waypoint}")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -279,5 +304,24 @@ mod tests {
         assert_eq!(radius(None), "- -");
         assert_eq!(waypoint(Some("")), "---");
         assert_eq!(waypoint(Some("HAMBURG")), "HAM");
+    }
+
+    #[test]
+    fn words_say_what_a_distance_and_a_turn_refer_to() {
+        for straight in [None, Some(1), Some(2), Some(3), Some(5), Some(6)] {
+            assert_eq!(cross_track_words(straight).0, "XTD m", "{straight:?}");
+        }
+        assert_eq!(
+            cross_track_words(Some(4)),
+            ("XTD m (to radius)", "next leg ")
+        );
+        let check = |remote, turn, expect: (&str, &str)| {
+            let (headline, detail) = headline(remote, turn, 330.0, "HAM");
+            assert_eq!((headline.as_str(), detail.as_str()), expect);
+        };
+        check(true, Some("PORT"), ("TURN PORT", "to course 330.0°"));
+        check(true, None, ("COURSE 330.0°", ""));
+        check(false, Some("STBD"), ("TURN STBD", "at WP HAM → 330.0°"));
+        check(false, None, ("LEG 330.0°", "to WP HAM"));
     }
 }

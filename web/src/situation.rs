@@ -7,6 +7,7 @@ use wheelover_core::nmea::SteeringMode;
 use wheelover_core::picture::Picture;
 use wheelover_core::time::Stamp;
 use wheelover_core::units::wrap_180;
+use wheelover_core::view::ModeName;
 
 /// The words for a situation (interface.md 4).
 #[must_use]
@@ -72,23 +73,23 @@ pub(crate) fn headline(deck: Deck) -> (String, String) {
     deck.readings.with(|readings| {
         let waypoint = format::waypoint(readings.waypoint.value.as_deref());
         let track = readings.track.value;
-        match (readings.radius.value, track) {
-            (Some(_), Some(track)) => {
-                let side = match readings.heading.value {
-                    Some(heading) if wrap_180(track - heading) < 0.0 => "PORT",
-                    Some(_) => "STBD",
-                    None => "",
-                };
-                (
-                    format!("TURN {side}"),
-                    format!("at WP {waypoint} → {}°", format::direction(Some(track))),
-                )
-            }
-            (None, Some(track)) => (
-                format!("LEG {}°", format::direction(Some(track))),
-                format!("to WP {waypoint}"),
-            ),
-            _ => (String::new(), String::new()),
-        }
+        let Some(track) = track else {
+            return (String::new(), String::new());
+        };
+        let remote = deck.own.with(|own| {
+            let own = own.as_ref().and_then(|snapshot| snapshot.own.as_ref());
+            own.is_some_and(|own| own.mode == ModeName::AutonavTn)
+        });
+        let turning = if remote {
+            readings.rot_set.value.is_some()
+        } else {
+            readings.radius.value.is_some()
+        };
+        let side = match readings.heading.value {
+            Some(heading) if wrap_180(track - heading) < 0.0 => "PORT",
+            Some(_) => "STBD",
+            None => "",
+        };
+        format::headline(remote, turning.then_some(side), track, &waypoint)
     })
 }

@@ -3,7 +3,7 @@
 use crate::deck::Deck;
 use crate::reading::{Reading, Readings, state_name};
 use crate::value::{Badge, Shown, Value, shown};
-use crate::{format, gauge, gauge::Bar};
+use crate::{format, gauge, gauge::Bar, situation};
 use leptos::prelude::*;
 use wheelover_core::view;
 
@@ -144,7 +144,7 @@ fn CrossTrackPanel() -> impl IntoView {
     let deck = Deck::here();
     let xtd = shown(|r| &r.xtd, |metres| format::sided(metres, 0));
     let next = shown(|r| &r.xtd_next, |metres| format::sided(metres, 0));
-    let turning = Memo::new(move |_| deck.readings.with(|r| r.radius.value.is_some()));
+    let words = Memo::new(move |_| format::cross_track_words(situation::current(deck)));
     let limits = Memo::new(move |_| {
         let leg = deck
             .own
@@ -187,9 +187,9 @@ fn CrossTrackPanel() -> impl IntoView {
         <section>
             <div class="head">
                 <p class="label">
-                    {move || if turning.get() { "XTD m (to radius)" } else { "XTD m" }}
+                    {move || words.get().0}
                     <span class="quiet">
-                        {move || if turning.get() { "next leg " } else { "control " }}
+                        {move || words.get().1}
                         <Value name="xtd-next-leg" shown=next/>
                     </span>
                     <Badge shown=xtd/>
