@@ -1,6 +1,6 @@
 //! A port that says what it may not say, and a sensor with one bad sentence among good ones (FE11, SEN-4, FA7).
 
-use crate::rig::Rig;
+use crate::rig::{Rig, with_checksum};
 use wheelover_core::alerts::Alert;
 use wheelover_core::station::Profile;
 use wheelover_core::view::ModeName;
@@ -89,10 +89,19 @@ fn one_bad_sentence_of_a_sensor_among_good_ones_changes_nothing() {
 // FA7: bad sentences alone are no heading.
 #[test]
 fn nothing_but_bad_sentences_is_a_lost_heading_after_its_age_limit() {
-    let mut rig = Rig::tracking();
-    rig.silence(Profile::Gyro1, "");
-    say_for(&mut rig, 1.8, Profile::Gyro1, |_| "HEHDT,,T".into());
-    assert_eq!(rig.mode(), ModeName::AutonavTi);
-    say_for(&mut rig, 0.5, Profile::Gyro1, |_| "HEHDT,3x1.0,T".into());
-    assert_eq!(rig.mode(), ModeName::RudderHold);
+    for bad in ["HEHDT,,T", "HEHDT,3x1.0,T"] {
+        let mut rig = Rig::tracking();
+        rig.filter(move |_, profile, line| {
+            let heading = profile == Profile::Gyro1 && line.contains("HDT,");
+            Some(if heading {
+                with_checksum(bad)
+            } else {
+                line.into()
+            })
+        });
+        rig.run(1.8);
+        assert_eq!(rig.mode(), ModeName::AutonavTi, "{bad}");
+        rig.run(0.5);
+        assert_eq!(rig.mode(), ModeName::RudderHold, "{bad}");
+    }
 }
