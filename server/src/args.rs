@@ -9,24 +9,25 @@ const SAFETY: &str = "\
 Wheelover is not track control approved under SOLAS. It is for ships outside SOLAS, leisure craft, training and \
 test. The ship's own override and a proper look-out come first.
 
-Exit codes: 0 done; 1 done, with findings; 2 not done, with one line that says what and where.";
+Exit codes: 0 done; 1 done, with findings; 2 not done, with one line that says what and where; \
+3 the control loop failed: start again, in STANDBY.";
 
 /// A track-control autopilot: it faces a chart system over serial NMEA 0183, steers by it, and shows
 /// every tablet on the bridge what it does.
 #[derive(Debug, Parser)]
 #[command(name = "wheelover", version, after_help = SAFETY, args_conflicts_with_subcommands = true)]
-pub struct Cli {
+pub(crate) struct Cli {
     /// What to do; `serve` where nothing is named.
     #[command(subcommand)]
-    pub command: Option<Command>,
+    pub(crate) command: Option<Command>,
     /// Options of `serve`.
     #[command(flatten)]
-    pub serve: Serve,
+    pub(crate) serve: Serve,
 }
 
 /// What can be done.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Run: the embedded voyage, or the stations and ports of a configuration
     #[command(after_help = SAFETY)]
     Serve(Serve),
@@ -87,7 +88,7 @@ pub enum Command {
 
 /// What can be done with a configuration.
 #[derive(Debug, Subcommand)]
-pub enum ConfigCommand {
+pub(crate) enum ConfigCommand {
     /// Say what is wrong with it, or print it as it is in force
     Check {
         /// The configuration
@@ -97,25 +98,25 @@ pub enum ConfigCommand {
 
 /// Options of `serve`.
 #[derive(Clone, Debug, Default, Args)]
-pub struct Serve {
+pub(crate) struct Serve {
     /// Stations and ports; without it the embedded voyage runs
     #[arg(long, value_name = "FILE")]
-    pub config: Option<PathBuf>,
+    pub(crate) config: Option<PathBuf>,
     /// Address to listen on [default: 127.0.0.1:8080]
     #[arg(long, value_name = "ADDR")]
-    pub listen: Option<SocketAddr>,
+    pub(crate) listen: Option<SocketAddr>,
     /// Listen on all addresses; from other computers for reading only
     #[arg(long)]
-    pub lan: bool,
+    pub(crate) lan: bool,
     /// Pace of the embedded voyage, 1 to 60
     #[arg(long, value_name = "N", value_parser = pace)]
-    pub speed: Option<f64>,
+    pub(crate) speed: Option<f64>,
     /// Record everything, for `replay`
     #[arg(long, value_name = "FILE")]
-    pub record: Option<PathBuf>,
+    pub(crate) record: Option<PathBuf>,
     /// Say nothing but errors
     #[arg(short, long)]
-    pub quiet: bool,
+    pub(crate) quiet: bool,
 }
 
 fn pace(text: &str) -> Result<f64, String> {
@@ -129,7 +130,7 @@ fn pace(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// The exit code, after what is to be said was said: 0 for help and version, 2 for a mistake.
-pub fn read() -> Result<Cli, i32> {
+pub(crate) fn read() -> Result<Cli, i32> {
     Cli::try_parse().map_err(|error| {
         if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
             eprintln!("a command is missing; see wheelover --help");

@@ -15,7 +15,7 @@ const LONGEST_LINE: u64 = 64 * 1024;
 ///
 /// # Errors
 /// One line: the input cannot be read, holds no sentence of the dialogue, or the output cannot be written.
-pub fn check(path: &Path, json: bool, quiet: bool) -> Result<i32, String> {
+pub(crate) fn check(path: &Path, json: bool, quiet: bool) -> Result<i32, String> {
     let mut out = BufWriter::new(io::stdout().lock());
     let outcome = if path.as_os_str() == "-" {
         run(io::stdin().lock(), json, quiet, &mut out)

@@ -2,20 +2,20 @@
 
 /// A monotonic clock that began at its making.
 #[derive(Clone, Copy, Debug)]
-pub struct Clock {
+pub(crate) struct Clock {
     start: u64,
 }
 
 impl Clock {
     /// A clock that begins now.
     #[must_use]
-    pub fn start() -> Self {
+    pub(crate) fn start() -> Self {
         Self { start: reading() }
     }
 
     /// Microseconds since the start.
     #[must_use]
-    pub fn micros(&self) -> u64 {
+    pub(crate) fn micros(&self) -> u64 {
         reading().saturating_sub(self.start)
     }
 }
@@ -43,7 +43,7 @@ fn reading() -> u64 {
 
 /// Ship's time for the time on the wall: equal with real equipment, faster in the embedded voyage.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
+pub(crate) struct Pace {
     wall: u64,
     ship: f64,
     rate: f64,
@@ -52,7 +52,7 @@ pub struct Pace {
 impl Pace {
     /// Ship's time and time on the wall begin together.
     #[must_use]
-    pub fn new(rate: f64) -> Self {
+    pub(crate) fn new(rate: f64) -> Self {
         Self {
             wall: 0,
             ship: 0.0,
@@ -62,7 +62,7 @@ impl Pace {
 
     /// Ship's time in milliseconds at a time on the wall in microseconds.
     #[must_use]
-    pub fn ship(&self, wall: u64) -> u64 {
+    pub(crate) fn ship(&self, wall: u64) -> u64 {
         self.exact(wall) as u64
     }
 
@@ -72,13 +72,13 @@ impl Pace {
 
     /// Time on the wall, in microseconds, at which it is `ship` milliseconds on board.
     #[must_use]
-    pub fn wall(&self, ship: u64) -> u64 {
+    pub(crate) fn wall(&self, ship: u64) -> u64 {
         let ahead = (ship as f64 - self.ship).max(0.0) / self.rate;
         self.wall + (ahead * 1_000.0).ceil() as u64
     }
 
     /// Another pace from `wall` on.
-    pub fn change(&mut self, wall: u64, rate: f64) {
+    pub(crate) fn change(&mut self, wall: u64, rate: f64) {
         if (rate - self.rate).abs() > f64::EPSILON && rate > 0.0 {
             *self = Self {
                 wall,
@@ -89,7 +89,7 @@ impl Pace {
     }
 
     /// Lets ship's time stand still up to `wall`, where it is `ship` milliseconds.
-    pub fn slip(&mut self, wall: u64, ship: u64) {
+    pub(crate) fn slip(&mut self, wall: u64, ship: u64) {
         self.wall = wall;
         self.ship = ship as f64;
     }

@@ -1,25 +1,26 @@
 //! The control thread: it owns the voyage and the only clock, and waits for nobody.
 //!
-//! In: bytes and commands from a bounded queue, and time. Out: bytes into outboxes, news for the feed,
+//! In: what is asked, then what was heard, and time. Out: bytes into outboxes, news for the feed,
 //! entries for the recorder; each of these takes what it can and never holds the thread up.
 
+#[cfg(debug_assertions)]
+mod drill;
+
+use crate::bus::{Asked, Document, Heard, Link, News, Place, Queues};
 use crate::clock::{Clock, Pace};
-use crate::feed::News;
+use crate::config::Rules;
 use crate::persist::Keeper;
-use crate::ports::Link;
 use crate::realtime;
 use crate::recorder::Recorder;
+use crossbeam_channel::{TryRecvError, select_biased};
 use std::collections::BTreeMap;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, oneshot};
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{self, Answer, Hello, Line, Order, Origin, Outline};
+use wheelover_core::view::{self, Answer, Down, Line, Order, Origin, Outline};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
-/// Inputs that may wait.
-const QUEUE: usize = 2_048;
 /// Inputs that are taken before the next step is looked at.
 const BUDGET: usize = 64;
 /// Later than this is a stall, microseconds (FA16).
@@ -31,107 +32,57 @@ const PUBLISH: u64 = 100_000;
 /// Between two looks at the ports, in snapshots.
 const PORTS_EVERY: u64 = 10;
 
-/// What the thread is told.
-#[derive(Debug)]
-pub enum Input {
-    /// Bytes were heard.
-    Bytes {
-        /// Number of the port.
-        port: usize,
-        /// The bytes.
-        bytes: Vec<u8>,
-    },
-    /// A port came or went.
-    PortUp {
-        /// Number of the port.
-        port: usize,
-        /// Whether it is there.
-        up: bool,
-    },
-    /// Somebody commands.
-    Command {
-        /// What.
-        action: Order,
-        /// Where the answer goes.
-        answer: oneshot::Sender<Answer>,
-    },
-    /// A client wants to begin.
-    Hello(oneshot::Sender<Hello>),
-    /// The server ends.
-    Stop,
-}
-
-/// The way to the control thread.
-#[derive(Clone, Debug)]
-pub struct Control {
-    sender: SyncSender<Input>,
-}
-
-impl Control {
-    /// Gives an input if there is room for it; whether there was.
-    #[must_use]
-    pub fn offer(&self, input: Input) -> bool {
-        self.sender.try_send(input).is_ok()
-    }
-
-    /// Says that a port came or went; this is never lost.
-    pub async fn port_up(&self, port: usize, up: bool) {
-        while !self.offer(Input::PortUp { port, up }) {
-            tokio::time::sleep(Duration::from_millis(20)).await;
-        }
-    }
-
-    /// The first frame for a client, as of now.
-    pub async fn hello(&self) -> Option<Hello> {
-        let (sender, receiver) = oneshot::channel();
-        if self.offer(Input::Hello(sender)) {
-            receiver.await.ok()
-        } else {
-            None
-        }
-    }
-}
-
 /// What the thread works with.
-pub struct Parts {
+pub(crate) struct Parts {
     /// The stations.
-    pub voyage: Voyage,
+    pub(crate) voyage: Voyage,
     /// Own ship as the plan draws her.
-    pub ship: Outline,
+    pub(crate) ship: Outline,
+    /// What changed settings have to agree with.
+    pub(crate) rules: Rules,
     /// Their ports, in the order of the configuration.
-    pub links: Vec<Link>,
-    /// Which of them may send.
-    pub may_send: Vec<bool>,
+    pub(crate) links: Vec<Link>,
     /// Where news go.
-    pub news: mpsc::Sender<News>,
+    pub(crate) news: mpsc::Sender<News>,
     /// Who writes everything down.
-    pub recorder: Option<Recorder>,
+    pub(crate) recorder: Option<Recorder>,
     /// Who keeps settings over a restart.
-    pub keeper: Option<Keeper>,
+    pub(crate) keeper: Option<Keeper>,
 }
 
-/// Makes the way to the thread; the thread itself is started by [`start`].
-#[must_use]
-pub fn channel() -> (Control, Receiver<Input>) {
-    let (sender, receiver) = sync_channel(QUEUE);
-    (Control { sender }, receiver)
+/// Why the thread ended by itself; a panic is another way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// It was asked to.
+    Asked,
+    /// Nobody is left who could ask for anything.
+    Deserted,
 }
 
 /// Starts the thread; says through `granted` whether it has real-time priority.
 ///
 /// # Errors
 /// The system gives no thread.
-pub fn start(
+pub(crate) fn start(
     parts: Parts,
-    inputs: Receiver<Input>,
+    queues: Queues,
     granted: oneshot::Sender<bool>,
-) -> std::io::Result<JoinHandle<()>> {
+) -> std::io::Result<JoinHandle<End>> {
     std::thread::Builder::new()
         .name("control".to_owned())
         .spawn(move || {
             let _ = granted.send(realtime::ask());
-            Thread::new(parts).run(&inputs);
+            Thread::new(parts).run(&queues)
         })
+}
+
+/// Who waits for the answer to an order.
+struct Waiting {
+    /// The client's number for it.
+    id: u64,
+    client: mpsc::UnboundedSender<Answer>,
+    /// Free again with the answer.
+    _place: Option<Place>,
 }
 
 struct Thread {
@@ -141,11 +92,13 @@ struct Thread {
     simulated: bool,
     next_publish: u64,
     published: u64,
-    commands: u64,
-    answers: BTreeMap<u64, oneshot::Sender<Answer>>,
+    orders: u64,
+    answers: BTreeMap<u64, Waiting>,
     out: Vec<VoyageOutput>,
     lines: Vec<Line>,
-    stop: bool,
+    end: Option<End>,
+    #[cfg(debug_assertions)]
+    drill: Option<drill::Drill>,
 }
 
 impl Thread {
@@ -157,19 +110,21 @@ impl Thread {
             parts,
             next_publish: 0,
             published: 0,
-            commands: 0,
+            orders: 0,
             answers: BTreeMap::new(),
             out: Vec::new(),
             lines: Vec::new(),
-            stop: false,
+            end: None,
+            #[cfg(debug_assertions)]
+            drill: drill::Drill::from_environment(),
         }
     }
 
-    fn run(mut self, inputs: &Receiver<Input>) {
-        self.tell(News::Route(view::route_document(&self.parts.voyage)));
-        self.tell(News::Settings(view::settings_document(&self.parts.voyage)));
+    fn run(mut self, queues: &Queues) -> End {
+        self.tell_route();
+        self.tell_settings();
         let mut planned = self.clock.micros();
-        while !self.stop {
+        loop {
             let wall = self.clock.micros();
             self.note_lateness(planned, wall);
             self.step(wall);
@@ -177,6 +132,13 @@ impl Thread {
                 self.publish(wall);
             }
             self.send_lines();
+            #[cfg(debug_assertions)]
+            if self.drill.as_ref().is_some_and(|drill| drill.hold(wall)) {
+                self.end = Some(End::Deserted);
+            }
+            if let Some(end) = self.end {
+                return end;
+            }
             self.pace
                 .change(self.clock.micros(), self.parts.voyage.rate());
             planned = self
@@ -184,15 +146,31 @@ impl Thread {
                 .wall(self.parts.voyage.due().0)
                 .min(self.next_publish);
             let wait = planned.saturating_sub(self.clock.micros());
-            match inputs.recv_timeout(Duration::from_micros(wait)) {
-                Ok(input) => {
-                    self.take(input);
-                    for input in inputs.try_iter().take(BUDGET) {
-                        self.take(input);
-                    }
-                }
-                Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => return,
+            self.listen(queues, Duration::from_micros(wait));
+        }
+    }
+
+    /// Waits for something to take, and takes what there is; before each thing that was heard, all that is asked (AP-25).
+    fn listen(&mut self, queues: &Queues, wait: Duration) {
+        select_biased! {
+            recv(queues.asked) -> asked => match asked {
+                Ok(asked) => self.asked(asked),
+                Err(_) => self.end = Some(End::Deserted),
+            },
+            recv(queues.heard) -> heard => match heard {
+                Ok(heard) => self.heard(heard),
+                Err(_) => self.end = Some(End::Deserted),
+            },
+            default(wait) => return,
+        }
+        for _ in 0..BUDGET {
+            match queues.asked.try_recv() {
+                Ok(asked) => self.asked(asked),
+                Err(TryRecvError::Empty) => match queues.heard.try_recv() {
+                    Ok(heard) => self.heard(heard),
+                    Err(_) => return,
+                },
+                Err(TryRecvError::Disconnected) => return,
             }
         }
     }
@@ -231,33 +209,68 @@ impl Thread {
         }
     }
 
-    fn take(&mut self, input: Input) {
-        let wall = self.clock.micros();
-        match input {
-            Input::Bytes { port, bytes } => self.happen(wall, Event::Bytes { port, bytes }),
-            Input::PortUp { port, up } => self.happen(wall, Event::PortUp { port, up }),
-            Input::Command { action, answer } => {
-                self.commands += 1;
-                let id = self.commands;
+    fn asked(&mut self, asked: Asked) {
+        match asked {
+            Asked::Order {
+                id,
+                action,
+                answer,
+                place,
+            } => {
+                if let Err(text) = self.may_be(&action) {
+                    let ok = false;
+                    let _ = answer.send(Answer { id, ok, text });
+                    return;
+                }
+                self.orders += 1;
+                let order = self.orders;
+                let waiting = Waiting {
+                    id,
+                    client: answer,
+                    _place: place,
+                };
                 // Those who went away before their answer came are forgotten.
-                self.answers.retain(|_, waiting| !waiting.is_closed());
-                self.answers.insert(id, answer);
-                self.happen(
-                    wall,
-                    Event::Order {
-                        id,
-                        by: Origin::Officer,
-                        order: action,
-                    },
-                );
+                self.answers
+                    .retain(|_, waiting| !waiting.client.is_closed());
+                self.answers.insert(order, waiting);
+                let event = Event::Order {
+                    id: order,
+                    by: Origin::Officer,
+                    order: action,
+                };
+                self.happen(self.clock.micros(), event);
             }
-            Input::Hello(reply) => {
+            Asked::Hello(reply) => {
                 let mut hello = view::hello(&self.parts.voyage, env!("CARGO_PKG_VERSION"));
                 hello.ship = self.parts.ship;
                 let _ = reply.send(hello);
             }
-            Input::Stop => self.stop = true,
+            Asked::Stop => self.end = Some(End::Asked),
         }
+    }
+
+    /// A changed setting has to agree with ports and other settings, as at the start.
+    fn may_be(&self, action: &Order) -> Result<(), String> {
+        let (Order::Setting { key, value }, Some(autopilot)) =
+            (action, self.parts.voyage.autopilot())
+        else {
+            return Ok(());
+        };
+        let mut settings = autopilot.settings().clone();
+        match settings.set(key, value) {
+            Ok(()) => self.parts.rules.check(&settings),
+            // The autopilot itself says what is wrong with it.
+            Err(_) => Ok(()),
+        }
+    }
+
+    fn heard(&mut self, heard: Heard) {
+        let (event, place) = match heard {
+            Heard::Bytes { port, bytes, place } => (Event::Bytes { port, bytes }, Some(place)),
+            Heard::PortUp { port, up } => (Event::PortUp { port, up }, None),
+        };
+        self.happen(self.clock.micros(), event);
+        drop(place);
     }
 
     fn happen(&mut self, wall: u64, event: Event) {
@@ -278,16 +291,16 @@ impl Thread {
             }
             match output {
                 VoyageOutput::Send { port, bytes } => {
-                    if self.parts.may_send.get(port) == Some(&true)
-                        && let Some(link) = self.parts.links.get(port)
-                    {
-                        link.outbox.push(&bytes, Instant::now());
+                    let link = self.parts.links.get(port);
+                    if let Some(outbox) = link.and_then(|link| link.outbox.as_ref()) {
+                        outbox.push(&bytes, Instant::now());
                     }
                 }
                 VoyageOutput::Line(line) => self.lines.push(line),
                 VoyageOutput::Answer(answer) => {
                     if let Some(waiting) = self.answers.remove(&answer.id) {
-                        let _ = waiting.send(answer);
+                        let id = waiting.id;
+                        let _ = waiting.client.send(Answer { id, ..answer });
                     }
                 }
                 VoyageOutput::Persist { key, value } => {
@@ -295,12 +308,8 @@ impl Thread {
                         keeper.keep(key, value);
                     }
                 }
-                VoyageOutput::Route => {
-                    self.tell(News::Route(view::route_document(&self.parts.voyage)))
-                }
-                VoyageOutput::Settings => {
-                    self.tell(News::Settings(view::settings_document(&self.parts.voyage)));
-                }
+                VoyageOutput::Route => self.tell_route(),
+                VoyageOutput::Settings => self.tell_settings(),
             }
         }
         self.out = out;
@@ -314,10 +323,25 @@ impl Thread {
         self.deliver();
         self.send_lines();
         if self.published.is_multiple_of(PORTS_EVERY) {
-            self.tell(News::Ports(view::ports_document(&self.parts.voyage)));
+            let ports = view::ports_document(&self.parts.voyage);
+            self.tell_document(Document::Ports, Down::Ports(ports));
         }
         self.published += 1;
         self.tell(News::Snapshot(Box::new(view::snapshot(&self.parts.voyage))));
+    }
+
+    fn tell_route(&self) {
+        let route = view::route_document(&self.parts.voyage);
+        self.tell_document(Document::Route, Down::Route(route));
+    }
+
+    fn tell_settings(&self) {
+        let settings = view::settings_document(&self.parts.voyage);
+        self.tell_document(Document::Settings, Down::Settings(settings));
+    }
+
+    fn tell_document(&self, which: Document, document: Down) {
+        self.tell(News::Document(which, Box::new(document)));
     }
 
     fn send_lines(&mut self) {

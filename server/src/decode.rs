@@ -20,7 +20,7 @@ const LONGEST_LINE: u64 = 64 * 1024;
 ///
 /// # Errors
 /// The input cannot be read or the output cannot be written.
-pub fn decode(path: Option<&Path>, json: bool, quiet: bool) -> io::Result<i32> {
+pub(crate) fn decode(path: Option<&Path>, json: bool, quiet: bool) -> io::Result<i32> {
     let stdout = io::stdout();
     let colour = stdout.is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let mut out = BufWriter::with_capacity(1 << 16, stdout.lock());

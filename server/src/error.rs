@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 
 /// Why something was not done.
 #[derive(Debug)]
-pub enum Error {
+pub(crate) enum Error {
     /// The configuration says something that cannot be.
     Config {
         /// The file.

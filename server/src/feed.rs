@@ -1,18 +1,15 @@
 //! What pages are told: the newest of each document, and the last lines with their numbers.
 //!
-//! Everything is encoded once and shared by all clients.
+//! Everything is encoded once and shared by all clients, and one signal a tick wakes them.
 
+use crate::bus::{Document, Link, News};
 use axum::extract::ws::Utf8Bytes;
 use serde::Serialize;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, watch};
-use wheelover_core::view::{
-    Down, Line, Lines, PortsDocument, RouteDocument, SettingsDocument, Snapshot,
-};
-
-use crate::ports::Link;
+use wheelover_core::view::{Down, Line, Lines, Snapshot};
 
 /// Lines that are held for clients that come back.
 const HELD: usize = 20_000;
@@ -21,71 +18,74 @@ const TOLD: usize = 500;
 /// Messages that may wait between the control thread and here.
 const QUEUE: usize = 4_096;
 
-/// What the control thread tells.
-#[derive(Debug)]
-pub enum News {
-    /// Own facts, ten times a second.
-    Snapshot(Box<Snapshot>),
-    /// Lines heard and sent.
-    Lines(Vec<Line>),
-    /// The route has changed.
-    Route(RouteDocument),
-    /// The settings have changed.
-    Settings(SettingsDocument),
-    /// State of the ports.
-    Ports(PortsDocument),
-}
-
 /// A snapshot as it is sent.
 #[derive(Clone, Debug, Default)]
-pub struct Frame {
+pub(crate) struct Frame {
     /// Its number.
-    pub number: u64,
+    pub(crate) number: u64,
     /// Number of the last line that it knows.
-    pub line: u64,
+    pub(crate) line: u64,
     /// Its text.
-    pub text: Utf8Bytes,
+    pub(crate) text: Utf8Bytes,
 }
 
-/// The newest of everything.
+/// A document as it is sent.
+#[derive(Clone, Debug, Default)]
+struct Page {
+    /// How often it has changed; 0 while there is none.
+    version: u64,
+    text: Utf8Bytes,
+}
+
+/// What a client follows: the newest of everything.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shown {
+    /// The last snapshot.
+    pub(crate) frame: Frame,
+    pages: [Page; Document::ALL.len()],
+}
+
+/// How much of the documents one client has.
+#[derive(Debug, Default)]
+pub(crate) struct Seen([u64; Document::ALL.len()]);
+
+impl Shown {
+    /// The first document that is newer than what the client has; it has it then.
+    pub(crate) fn unseen(&self, seen: &mut Seen) -> Option<Utf8Bytes> {
+        let mut pairs = self.pages.iter().zip(&mut seen.0);
+        let (page, seen) = pairs.find(|(page, seen)| page.version > **seen)?;
+        *seen = page.version;
+        Some(page.text.clone())
+    }
+
+    /// Takes a document; whether it differs from the one before.
+    fn put(&mut self, which: Document, document: &Down) -> bool {
+        let page = &mut self.pages[which as usize];
+        match encode(document) {
+            Some(text) if text != page.text => {
+                page.text = text;
+                page.version += 1;
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The newest of everything, and the last lines.
 #[derive(Debug)]
-pub struct Feed {
-    snapshot: watch::Sender<Frame>,
-    route: watch::Sender<Utf8Bytes>,
-    settings: watch::Sender<Utf8Bytes>,
-    ports: watch::Sender<Utf8Bytes>,
-    /// Number of the next line.
-    next: watch::Sender<u64>,
+pub(crate) struct Feed {
+    shown: watch::Sender<Shown>,
     held: Mutex<Held>,
     alive: Mutex<Option<Instant>>,
 }
 
-/// What one client follows.
-#[derive(Debug)]
-pub struct Follower {
-    /// Snapshots.
-    pub snapshot: watch::Receiver<Frame>,
-    /// The route.
-    pub route: watch::Receiver<Utf8Bytes>,
-    /// The settings.
-    pub settings: watch::Receiver<Utf8Bytes>,
-    /// The ports.
-    pub ports: watch::Receiver<Utf8Bytes>,
-    /// Number of the next line.
-    pub next: watch::Receiver<u64>,
-}
-
 impl Feed {
     /// An empty feed, and the way in.
-    #[must_use]
-    pub fn new() -> (Arc<Self>, mpsc::Sender<News>, mpsc::Receiver<News>) {
+    pub(crate) fn new() -> (Arc<Self>, mpsc::Sender<News>, mpsc::Receiver<News>) {
         let (sender, receiver) = mpsc::channel(QUEUE);
         let feed = Self {
-            snapshot: watch::Sender::default(),
-            route: watch::Sender::default(),
-            settings: watch::Sender::default(),
-            ports: watch::Sender::default(),
-            next: watch::Sender::default(),
+            shown: watch::Sender::default(),
             held: Mutex::default(),
             alive: Mutex::default(),
         };
@@ -93,33 +93,23 @@ impl Feed {
     }
 
     /// Follows everything.
-    #[must_use]
-    pub fn follow(&self) -> Follower {
-        Follower {
-            snapshot: self.snapshot.subscribe(),
-            route: self.route.subscribe(),
-            settings: self.settings.subscribe(),
-            ports: self.ports.subscribe(),
-            next: self.next.subscribe(),
-        }
+    pub(crate) fn follow(&self) -> watch::Receiver<Shown> {
+        self.shown.subscribe()
     }
 
-    /// The route as it is sent.
-    #[must_use]
-    pub fn route(&self) -> Utf8Bytes {
-        self.route.borrow().clone()
+    /// A document as it is sent.
+    pub(crate) fn document(&self, which: Document) -> Utf8Bytes {
+        self.shown.borrow().pages[which as usize].text.clone()
     }
 
     /// Whether the control thread has spoken within two seconds.
-    #[must_use]
-    pub fn is_alive(&self) -> bool {
+    pub(crate) fn is_alive(&self) -> bool {
         let alive = self.alive.lock().unwrap_or_else(PoisonError::into_inner);
         alive.is_some_and(|at| at.elapsed() < Duration::from_secs(2))
     }
 
     /// The next text for a client that wants lines from `from` on, and the number after it.
-    #[must_use]
-    pub fn lines(&self, from: u64, last: u64) -> Option<(Utf8Bytes, u64)> {
+    pub(crate) fn lines(&self, from: u64, last: u64) -> Option<(Utf8Bytes, u64)> {
         self.held().after(from, last)
     }
 
@@ -129,7 +119,7 @@ impl Feed {
 
     /// Takes news until the control thread ends. Lines go out with the snapshots, ten times a second, so that
     /// a client has the lines of a snapshot, and no later ones, when it gets that snapshot.
-    pub async fn run(self: Arc<Self>, mut news: mpsc::Receiver<News>, links: Vec<Link>) {
+    pub(crate) async fn run(self: Arc<Self>, mut news: mpsc::Receiver<News>, links: Vec<Link>) {
         let mut frame = 0;
         let mut fresh: Vec<Line> = Vec::new();
         while let Some(told) = news.recv().await {
@@ -138,60 +128,44 @@ impl Feed {
                 News::Snapshot(snapshot) => {
                     *self.alive.lock().unwrap_or_else(PoisonError::into_inner) =
                         Some(Instant::now());
-                    self.hold(&mut fresh);
+                    self.held().add(std::mem::take(&mut fresh));
                     frame += 1;
                     self.show(frame, *snapshot);
                 }
-                News::Route(route) => put(&self.route, &Down::Route(route)),
-                News::Settings(settings) => put(&self.settings, &Down::Settings(settings)),
-                News::Ports(mut ports) => {
-                    for view in &mut ports.ports {
-                        if let Some(link) = links.iter().find(|link| link.name == view.name) {
-                            view.trouble = link.trouble();
+                News::Document(which, mut document) => {
+                    if let Down::Ports(ports) = document.as_mut() {
+                        for view in &mut ports.ports {
+                            if let Some(link) = links.iter().find(|link| link.name == view.name) {
+                                view.trouble = link.trouble().to_string();
+                            }
                         }
                     }
-                    put(&self.ports, &Down::Ports(ports));
+                    self.shown
+                        .send_if_modified(|shown| shown.put(which, &document));
                 }
             }
         }
     }
 
-    fn hold(&self, fresh: &mut Vec<Line>) {
-        let next = self.held().add(std::mem::take(fresh));
-        if let Some(next) = next {
-            self.next.send_replace(next);
-        }
-    }
-
     fn show(&self, frame: u64, mut snapshot: Snapshot) {
-        if self.snapshot.receiver_count() == 0 {
+        if self.shown.receiver_count() == 0 {
             return;
         }
         let line = snapshot.line;
         snapshot.frame = frame;
         if let Some(text) = encode(&Down::Snapshot(snapshot)) {
-            let shown = Frame {
+            let frame = Frame {
                 number: frame,
                 line,
                 text,
             };
-            self.snapshot.send_replace(shown);
+            self.shown.send_modify(|shown| shown.frame = frame);
         }
     }
 }
 
-fn put(place: &watch::Sender<Utf8Bytes>, document: &Down) {
-    if let Some(text) = encode(document) {
-        place.send_if_modified(|old| {
-            let changed = *old != text;
-            *old = text;
-            changed
-        });
-    }
-}
-
 /// A message as text.
-pub fn encode<T: Serialize>(message: &T) -> Option<Utf8Bytes> {
+pub(crate) fn encode<T: Serialize>(message: &T) -> Option<Utf8Bytes> {
     serde_json::to_string(message).ok().map(Utf8Bytes::from)
 }
 
@@ -220,9 +194,8 @@ struct Held {
 }
 
 impl Held {
-    /// Takes lines; the number after them, where there are any.
-    fn add(&mut self, lines: Vec<Line>) -> Option<u64> {
-        let next = lines.last()?.seq + 1;
+    /// Takes lines.
+    fn add(&mut self, lines: Vec<Line>) {
         // A line that was lost on the way here ends a batch, so that the gap can be seen.
         let mut rest = lines;
         while !rest.is_empty() {
@@ -240,7 +213,6 @@ impl Held {
         {
             self.count -= oldest.lines.len();
         }
-        Some(next)
     }
 
     /// What a client is told that wants the lines from `from` on, of batches that begin by `last`, and what it wants next.
@@ -319,8 +291,8 @@ mod tests {
     #[test]
     fn a_client_that_comes_back_misses_nothing() {
         let mut held = Held::default();
-        assert_eq!(held.add(Vec::new()), None);
-        assert_eq!(held.add(lines(1..=3)), Some(4));
+        held.add(Vec::new());
+        held.add(lines(1..=3));
         held.add(lines(4..=9));
         const ALL: u64 = u64::MAX;
         check(&held, 1, ALL, &["1-9"]);

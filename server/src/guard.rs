@@ -10,29 +10,29 @@ use std::net::{IpAddr, SocketAddr};
 use tower_http::set_header::SetResponseHeaderLayer;
 
 /// The content security policy of every answer but `decoder.html`.
-pub const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
+pub(crate) const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
     img-src 'self' data:; font-src 'self'; connect-src 'self'; manifest-src 'self'; worker-src 'self'; \
     base-uri 'none'; form-action 'self'; frame-ancestors 'none'";
 
 /// Both ends of a connection, put into every request by the accept loop.
 #[derive(Clone, Copy, Debug)]
-pub struct Ends {
+pub(crate) struct Ends {
     /// The client's address.
-    pub peer: SocketAddr,
+    pub(crate) peer: SocketAddr,
     /// The address it reached us by.
-    pub local: SocketAddr,
+    pub(crate) local: SocketAddr,
 }
 
 /// The names by which this machine may be addressed.
 #[derive(Clone, Debug)]
-pub struct Hosts {
+pub(crate) struct Hosts {
     names: Vec<String>,
 }
 
 impl Hosts {
     /// This machine's names.
     #[must_use]
-    pub fn of_this_machine() -> Self {
+    pub(crate) fn of_this_machine() -> Self {
         let mut names = vec!["localhost".to_owned()];
         let own = nix::unistd::gethostname().ok();
         if let Some(own) = own.and_then(|name| name.into_string().ok()) {
@@ -47,7 +47,7 @@ impl Hosts {
 
     /// Whether a `Host` value names this machine on a connection that came in at `local`.
     #[must_use]
-    pub fn allow(&self, host: &str, local: IpAddr) -> bool {
+    pub(crate) fn allow(&self, host: &str, local: IpAddr) -> bool {
         let name = without_port(host);
         if let Ok(ip) = name.trim_matches(['[', ']']).parse::<IpAddr>() {
             // An address cannot be rebound to another machine, but it has to be the one reached.
@@ -72,7 +72,7 @@ fn without_port(host: &str) -> &str {
 
 /// The `Host` of a request; none where it is missing, given twice or not text.
 #[must_use]
-pub fn host_of<B>(request: &Request<B>) -> Option<&str> {
+pub(crate) fn host_of<B>(request: &Request<B>) -> Option<&str> {
     let mut all = request.headers().get_all(header::HOST).iter();
     match (all.next(), all.next()) {
         (Some(host), None) => host.to_str().ok(),
@@ -83,7 +83,7 @@ pub fn host_of<B>(request: &Request<B>) -> Option<&str> {
 
 /// What the `Origin` of an upgrade says about the page that asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
+pub(crate) enum Origin {
     /// Our own page.
     Own,
     /// A page from elsewhere, or one that hides where it is from.
@@ -94,7 +94,7 @@ pub enum Origin {
 
 /// Judges the origin of a WebSocket upgrade (FE2).
 #[must_use]
-pub fn origin(headers: &HeaderMap, host: &str) -> Origin {
+pub(crate) fn origin(headers: &HeaderMap, host: &str) -> Origin {
     let mut all = headers.get_all(header::ORIGIN).iter();
     match (all.next(), all.next()) {
         (None, _) if headers.contains_key(header::COOKIE) => Origin::Foreign,
@@ -108,7 +108,7 @@ pub fn origin(headers: &HeaderMap, host: &str) -> Origin {
 }
 
 /// Puts the headers of safety on every answer.
-pub fn harden(router: Router) -> Router {
+pub(crate) fn harden(router: Router) -> Router {
     // The one page whose scripts stand in itself brings its own, stricter policy.
     let router = router.layer(SetResponseHeaderLayer::if_not_present(
         header::CONTENT_SECURITY_POLICY,

@@ -1,6 +1,6 @@
 //! HTTP: the accept loop with its limits, and the few addresses that the server answers.
 
-use crate::control::Control;
+use crate::bus::{Document, Inlet};
 use crate::feed::{Feed, encode};
 use crate::guard::{self, Ends, Hosts, Origin};
 use crate::page::{self, Bundle};
@@ -21,7 +21,9 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::{Semaphore, watch};
+use tokio::sync::Semaphore;
+use tokio_util::sync::CancellationToken;
+use tokio_util::task::TaskTracker;
 use tower_http::catch_panic::CatchPanicLayer;
 use wheelover_core::view::Down;
 
@@ -32,21 +34,23 @@ const CONNECTIONS: usize = 4096;
 
 /// What the answers are made from.
 #[derive(Debug)]
-pub struct Site {
+pub(crate) struct Site {
     /// By which names this machine may be addressed.
-    pub hosts: Hosts,
-    /// The control thread.
-    pub control: Control,
+    pub(crate) hosts: Hosts,
+    /// The way to the control thread.
+    pub(crate) inlet: Inlet,
     /// What pages are told.
-    pub feed: Arc<Feed>,
-    /// Raised when the server ends.
-    pub stop: watch::Receiver<bool>,
+    pub(crate) feed: Arc<Feed>,
+    /// Cancelled when the server ends.
+    pub(crate) stop: CancellationToken,
+    /// Every task of the server, so that its end can be waited for.
+    pub(crate) tasks: TaskTracker,
     /// Commands reach nothing but the embedded voyage.
-    pub simulated: bool,
+    pub(crate) simulated: bool,
     /// Opened to the network for reading (`--lan`).
-    pub lan: bool,
+    pub(crate) lan: bool,
     /// The files of the page.
-    pub page: Bundle,
+    pub(crate) page: Bundle,
 }
 
 impl Site {
@@ -63,7 +67,7 @@ impl Site {
 }
 
 /// The addresses that are answered.
-pub fn router(site: Arc<Site>) -> Router {
+fn router(site: Arc<Site>) -> Router {
     let router = Router::new()
         .route("/healthz", get(healthz))
         .route("/api/hello", get(hello))
@@ -75,21 +79,22 @@ pub fn router(site: Arc<Site>) -> Router {
     guard::harden(router).layer(CatchPanicLayer::new())
 }
 
-/// Serves connections until `stop` is raised.
-pub async fn accept(listener: TcpListener, router: Router, mut stop: watch::Receiver<bool>) {
+/// Serves connections until the server ends.
+pub(crate) async fn accept(listener: TcpListener, site: Arc<Site>) {
     let places = Arc::new(Semaphore::new(CONNECTIONS));
+    let router = router(site.clone());
     loop {
         let Ok(place) = places.clone().acquire_owned().await else {
             return;
         };
         let accepted = tokio::select! {
             accepted = listener.accept() => accepted,
-            () = stopped(&mut stop) => return,
+            () = site.stop.cancelled() => return,
         };
         match accepted {
             Ok((stream, peer)) => {
-                let (router, stop) = (router.clone(), stop.clone());
-                tokio::spawn(async move {
+                let (router, stop) = (router.clone(), site.stop.clone());
+                site.tasks.spawn(async move {
                     connection(stream, peer, router, stop).await;
                     drop(place);
                 });
@@ -100,17 +105,7 @@ pub async fn accept(listener: TcpListener, router: Router, mut stop: watch::Rece
     }
 }
 
-/// Waits until `stop` is raised, or until nobody is left to raise it.
-pub(crate) async fn stopped(stop: &mut watch::Receiver<bool>) {
-    let _ = stop.wait_for(|stop| *stop).await;
-}
-
-async fn connection(
-    stream: TcpStream,
-    peer: SocketAddr,
-    router: Router,
-    mut stop: watch::Receiver<bool>,
-) {
+async fn connection(stream: TcpStream, peer: SocketAddr, router: Router, stop: CancellationToken) {
     let Ok(local) = stream.local_addr() else {
         return;
     };
@@ -126,7 +121,7 @@ async fn connection(
     tokio::pin!(serving);
     tokio::select! {
         _ = &mut serving => {}
-        () = stopped(&mut stop) => {
+        () = stop.cancelled() => {
             serving.as_mut().graceful_shutdown();
             let _ = tokio::time::timeout(Duration::from_millis(500), serving).await;
         }
@@ -164,15 +159,18 @@ async fn healthz(State(site): State<Arc<Site>>) -> Response<Body> {
 }
 
 async fn hello(State(site): State<Arc<Site>>, Extension(ends): Extension<Ends>) -> Response<Body> {
-    let Some(mut hello) = site.control.hello().await else {
-        return page::plain(StatusCode::SERVICE_UNAVAILABLE, "busy\n");
+    let Some(mut hello) = site.inlet.hello().await else {
+        return page::plain(
+            StatusCode::SERVICE_UNAVAILABLE,
+            "the control loop has ended\n",
+        );
     };
     hello.may_command = site.rights(&ends) == Rights::All;
     json(encode(&Down::Hello(hello)).unwrap_or_default())
 }
 
 async fn route(State(site): State<Arc<Site>>) -> Response<Body> {
-    json(site.feed.route())
+    json(site.feed.document(Document::Route))
 }
 
 fn json(text: Utf8Bytes) -> Response<Body> {
@@ -206,13 +204,14 @@ async fn socket(
         Err(refused) => return refused.into_response(),
     };
     let source = Source {
-        control: site.control.clone(),
+        inlet: site.inlet.clone(),
         feed: site.feed.clone(),
         stop: site.stop.clone(),
         rights: site.rights(&ends),
         will_resume: query.as_deref() == Some("lines=resumed"),
     };
-    ws::limit(upgrade).on_upgrade(move |socket| ws::serve(socket, source))
+    let tasks = site.tasks.clone();
+    ws::limit(upgrade).on_upgrade(move |socket| tasks.track_future(ws::serve(socket, source)))
 }
 
 async fn file(State(site): State<Arc<Site>>, request: Request) -> Response<Body> {

@@ -3,21 +3,27 @@
 //! It stands in the library so that all of it is compiled beside the page, which only `main.rs` waits for.
 
 use crate::args::{self, Cli, Command, ConfigCommand};
-use crate::{
-    Error, Options, check, config, decode, page, persist, ports, recorder, serve, simulate,
-};
+use crate::error::Error;
+use crate::log::{self, Log};
+use crate::serve::{Options, Running, serve};
+use crate::{check, config, decode, page, persist, ports, recorder, simulate};
 use std::io::{ErrorKind, Write};
 use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Duration;
+
+/// The control loop failed, or does not end: whoever watches over the program starts it again, in STANDBY.
+const FAILED: i32 = 3;
 
 /// Reads the command line and does what it asks for; `page` gives the files of the page.
 ///
-/// The exit code is 0 where all is well, 1 where something was found, 2 where it could not be done.
+/// The exit code is 0 where all is well, 1 where something was found, 2 where it could not be done, and 3 where
+/// the control loop failed.
 pub fn run(page: page::Bundle) -> ExitCode {
     let code = match args::read() {
         Ok(cli) => obey(cli, page).unwrap_or_else(|error| {
-            eprintln!("{error}");
+            eprintln!("{}", log::escaped(&error.to_string()));
             2
         }),
         Err(code) => code,
@@ -95,18 +101,41 @@ fn main_job(options: args::Serve, page: page::Bundle) -> Result<i32, Error> {
         settings: options.config.as_deref().map(persist::beside),
         page: Some(page),
     };
-    runtime.block_on(async {
+    let log = Log::begin(options.quiet)
+        .map_err(|error| Error::Other(format!("cannot start: {error}")))?;
+    let done = runtime.block_on(async {
         let running = serve(asked).await?;
         if !options.quiet {
             announce(running.addr, lan);
-            for caution in &running.cautions {
-                eprintln!("caution: {caution}");
-            }
         }
-        asked_to_stop().await;
-        running.shutdown().await;
-        Ok(0)
-    })
+        for caution in &running.cautions {
+            tracing::warn!("{caution}");
+        }
+        Ok(until_the_end(running).await)
+    });
+    log.end(Duration::from_secs(1));
+    // Whatever still runs then is stuck, and holds the end of the program up no longer.
+    runtime.shutdown_background();
+    done
+}
+
+/// Runs until the program is asked to stop, or the control thread ends by itself; gives the exit code.
+async fn until_the_end(mut running: Running) -> i32 {
+    let failure = tokio::select! {
+        () = asked_to_stop() => None,
+        why = running.failed() => Some(why),
+    };
+    if let Some(why) = &failure {
+        tracing::error!("the control loop has failed, nothing is steered: {why}");
+    }
+    let ended = running.shutdown().await;
+    if let Err(why) = &ended {
+        tracing::error!("{why}");
+    }
+    match (failure, ended) {
+        (None, Ok(())) => 0,
+        _ => FAILED,
+    }
 }
 
 /// Says where the page is; with `--lan` also for a tablet.

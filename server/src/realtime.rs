@@ -6,7 +6,7 @@
     unsafe_code,
     reason = "the system call has no safe form in the libraries at hand"
 )]
-pub fn ask() -> bool {
+pub(crate) fn ask() -> bool {
     use nix::libc;
     /// Above ordinary work, below the kernel's own threads.
     const PRIORITY: libc::c_int = 20;
@@ -20,6 +20,6 @@ pub fn ask() -> bool {
 
 /// Elsewhere ordinary priority has to do.
 #[cfg(not(target_os = "linux"))]
-pub fn ask() -> bool {
+pub(crate) fn ask() -> bool {
     false
 }

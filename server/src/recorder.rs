@@ -24,7 +24,7 @@ enum Entry {
 }
 
 /// The control thread's end.
-pub struct Recorder {
+pub(crate) struct Recorder {
     sender: Option<SyncSender<Entry>>,
     writer: Option<JoinHandle<()>>,
 }
@@ -34,7 +34,7 @@ impl Recorder {
     ///
     /// # Errors
     /// The file cannot be written.
-    pub fn begin(path: &Path, voyage: &Voyage) -> Result<Self, Error> {
+    pub(crate) fn begin(path: &Path, voyage: &Voyage) -> Result<Self, Error> {
         let failed = |source| Error::File {
             path: path.display().to_string(),
             source,
@@ -49,10 +49,7 @@ impl Recorder {
             .name("recorder".to_owned())
             .spawn(move || {
                 if let Err(error) = write(file, &receiver) {
-                    eprintln!(
-                        "caution: {name}: the recording ends here: {}",
-                        reason(&error)
-                    );
+                    tracing::warn!("{name}: the recording ends here: {}", reason(&error));
                 }
             })
             .map_err(failed)?;
@@ -63,12 +60,12 @@ impl Recorder {
     }
 
     /// Notes an event before it takes effect.
-    pub fn event(&mut self, at: Stamp, event: &Event) {
+    pub(crate) fn event(&mut self, at: Stamp, event: &Event) {
         self.put(|| Entry::Event(at, event.clone()));
     }
 
     /// Notes an output.
-    pub fn output(&mut self, at: Stamp, output: &VoyageOutput) {
+    pub(crate) fn output(&mut self, at: Stamp, output: &VoyageOutput) {
         self.put(|| Entry::Output(at, output.clone()));
     }
 
@@ -77,7 +74,7 @@ impl Recorder {
         match sender.try_send(entry()) {
             Ok(()) => {}
             Err(TrySendError::Full(_)) => {
-                eprintln!("caution: the disk does not follow: the recording ends here");
+                tracing::warn!("the disk does not follow: the recording ends here");
                 self.sender = None;
             }
             Err(TrySendError::Disconnected(_)) => self.sender = None,
@@ -109,7 +106,7 @@ fn write(mut file: BufWriter<File>, entries: &Receiver<Entry>) -> std::io::Resul
 ///
 /// # Errors
 /// The file cannot be read, or is no recording.
-pub fn replay(path: &Path, quiet: bool) -> Result<i32, Error> {
+pub(crate) fn replay(path: &Path, quiet: bool) -> Result<i32, Error> {
     let name = path.display().to_string();
     let text = std::fs::read_to_string(path).map_err(|source| Error::File {
         path: name.clone(),

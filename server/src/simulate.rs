@@ -17,7 +17,7 @@ const STEPS_PER_PROGRESS: u64 = 5000;
 ///
 /// # Errors
 /// One line that says what is wrong and where.
-pub fn simulate(
+pub(crate) fn simulate(
     scenario: &Path,
     only: Option<&str>,
     csv: Option<&Path>,

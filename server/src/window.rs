@@ -4,15 +4,15 @@ use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 /// Snapshots that may be unacknowledged (FC4).
-pub const LARGEST: usize = 3;
+pub(crate) const LARGEST: usize = 3;
 /// Snapshots a second at most.
-pub const FASTEST: f64 = 10.0;
+pub(crate) const FASTEST: f64 = 10.0;
 /// Snapshots come on a grid of their own: this much before its time one is taken all the same.
 const SLACK: Duration = Duration::from_millis(40);
 
 /// What is on its way to one client.
 #[derive(Debug)]
-pub struct Window {
+pub(crate) struct Window {
     on_the_way: VecDeque<u64>,
     rate: f64,
     last: Option<Instant>,
@@ -30,8 +30,7 @@ impl Default for Window {
 
 impl Window {
     /// When the next snapshot may go; none while the window is closed or none are wanted.
-    #[must_use]
-    pub fn opens(&self, now: Instant) -> Option<Instant> {
+    pub(crate) fn opens(&self, now: Instant) -> Option<Instant> {
         if self.on_the_way.len() >= LARGEST || self.rate <= 0.0 {
             return None;
         }
@@ -40,18 +39,18 @@ impl Window {
     }
 
     /// A snapshot has gone.
-    pub fn sent(&mut self, frame: u64, now: Instant) {
+    pub(crate) fn sent(&mut self, frame: u64, now: Instant) {
         self.on_the_way.push_back(frame);
         self.last = Some(now);
     }
 
     /// The client has taken this one, and so all before it.
-    pub fn acknowledge(&mut self, frame: u64) {
+    pub(crate) fn acknowledge(&mut self, frame: u64) {
         self.on_the_way.retain(|sent| *sent > frame);
     }
 
     /// The client wants so many a second.
-    pub fn set_rate(&mut self, rate: f64) {
+    pub(crate) fn set_rate(&mut self, rate: f64) {
         self.rate = if rate.is_finite() {
             rate.clamp(0.0, FASTEST)
         } else {

@@ -243,6 +243,32 @@ impl Page {
         }
     }
 
+    /// Sends bytes below the WebSocket, as a client that does not know the protocol.
+    ///
+    /// # Panics
+    /// The connection is gone.
+    #[allow(clippy::unwrap_used)]
+    pub async fn say_bytes(&mut self, bytes: &[u8]) {
+        use tokio::io::AsyncWriteExt;
+        self.socket.get_mut().write_all(bytes).await.unwrap();
+    }
+
+    /// With which code and words the server closes the connection within that time.
+    pub async fn closing(&mut self, within: Duration) -> Option<(u16, String)> {
+        let end = Instant::now() + within;
+        loop {
+            let left = end.saturating_duration_since(Instant::now());
+            match timeout(left, self.socket.next()).await.ok()?? {
+                Ok(Message::Close(frame)) => {
+                    let frame = frame?;
+                    return Some((frame.code.into(), frame.reason.to_string()));
+                }
+                Ok(_) => {}
+                Err(_) => return None,
+            }
+        }
+    }
+
     /// Whether the connection is closed by the server within that time.
     pub async fn closed(&mut self, within: Duration) -> bool {
         let end = Instant::now() + within;

@@ -54,11 +54,22 @@ impl Program {
     #[must_use]
     #[allow(clippy::unwrap_used)]
     pub fn start(arguments: &[&str]) -> Self {
+        Self::start_with(arguments, &[])
+    }
+
+    /// The same, with variables of its environment.
+    ///
+    /// # Panics
+    /// It does not start within 30 s.
+    #[must_use]
+    #[allow(clippy::unwrap_used)]
+    pub fn start_with(arguments: &[&str], variables: &[(&str, &str)]) -> Self {
         let binary = binary();
         let began = crate::alone();
         let mut child = Command::new(binary)
             .args(["serve", "--listen", "127.0.0.1:0"])
             .args(arguments)
+            .envs(variables.iter().copied())
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -134,6 +145,15 @@ impl Program {
         use nix::sys::signal::{Signal, kill};
         let id = nix::unistd::Pid::from_raw(i32::try_from(self.child.id()).unwrap());
         let _ = kill(id, Signal::SIGTERM);
+        self.ended()
+    }
+
+    /// Waits until it ends by itself; gives its exit code.
+    ///
+    /// # Panics
+    /// It does not end within 20 s.
+    #[allow(clippy::unwrap_used)]
+    pub fn ended(&mut self) -> Option<i32> {
         let end = Instant::now() + Duration::from_secs(20);
         loop {
             if let Some(status) = self.child.try_wait().unwrap() {
@@ -143,12 +163,23 @@ impl Program {
             std::thread::sleep(Duration::from_millis(20));
         }
     }
+
+    /// Ends it as a lost supply does: without warning.
+    pub fn kill(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+
+    /// Every further line that it says until it is gone.
+    #[must_use]
+    pub fn last_words(&self) -> Vec<String> {
+        self.said.iter().collect()
+    }
 }
 
 impl Drop for Program {
     fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+        self.kill();
     }
 }
 
@@ -159,4 +190,28 @@ fn address_in(line: &str) -> Option<SocketAddr> {
         .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ':'))
         .unwrap_or(rest.len());
     rest[..end].trim_end_matches(['.', ':']).parse().ok()
+}
+
+/// What the program says, on both outputs, in its first `time`; it is killed then.
+///
+/// # Panics
+/// It cannot be started.
+#[must_use]
+#[allow(clippy::unwrap_used)]
+pub fn said_within(arguments: &[&str], time: Duration) -> Vec<String> {
+    let mut child = Command::new(binary())
+        .args(arguments)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(time);
+    let _ = child.kill();
+    let said = child.wait_with_output().unwrap();
+    let texts = [said.stdout, said.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    texts
+        .iter()
+        .flat_map(|text| text.lines().map(str::to_string))
+        .collect()
 }

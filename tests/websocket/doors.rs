@@ -95,3 +95,43 @@ async fn a_longer_frame_ends_that_connection_alone() {
         })
         .await;
 }
+
+/// A client's frame of a kind, masked with zeros, so that its content is as it is.
+fn frame(first: u8, content: &[u8]) -> Vec<u8> {
+    let mut frame = vec![
+        first,
+        0x80 | u8::try_from(content.len()).unwrap(),
+        0,
+        0,
+        0,
+        0,
+    ];
+    frame.extend_from_slice(content);
+    frame
+}
+
+// FC11: each by its own code, so that a page can tell "too long" from "not a frame".
+#[tokio::test]
+async fn a_connection_is_closed_with_the_code_of_what_was_wrong() {
+    let program = Program::start(&[]);
+    // The head says 16 KiB and one byte; more need not be sent.
+    let too_long = vec![0x81, 0xfe, 0x40, 0x01, 0, 0, 0, 0];
+    for (bytes, code, words) in [
+        (too_long, 1009, "longer than 16 KiB"),
+        (frame(0x83, b"x"), 1002, "not a frame"),
+        (frame(0xf1, b"x"), 1002, "not a frame"),
+        (frame(0x81, b"\xff\xfe"), 1007, "not text"),
+        (frame(0x82, b"x"), 1003, "text only"),
+        (frame(0x81, b"{}"), 1007, "not understood"),
+    ] {
+        let mut page = Page::open(program.address).await;
+        page.say_bytes(&bytes).await;
+        let closing = page.closing(Duration::from_secs(20)).await;
+        assert_eq!(
+            closing,
+            Some((code, words.to_string())),
+            "{:?}",
+            &bytes[..2]
+        );
+    }
+}

@@ -2,5 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod doors;
+mod ends;
 mod recording;
+mod settings;
 mod stream;

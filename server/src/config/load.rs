@@ -1,8 +1,9 @@
 //! FB12: a line that would be loaded by more than 80 % is refused, with the sum.
 
-use super::{Place, Port, Role};
+use super::types::{Place, Port};
 use wheelover_core::settings::Settings;
 use wheelover_core::station::Profile;
+use wheelover_core::voyage::Role;
 
 /// Part of the line rate that may be used.
 const HIGHEST: f64 = 0.8;

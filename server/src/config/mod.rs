@@ -1,138 +1,18 @@
 //! The configuration file: its names, its defaults, and the form in which it is in force.
-//!
-//! **Invariant:** a [`Config`] has been checked; nothing starts on one that has not (FD9).
 
 mod load;
 mod port;
 mod read;
 mod route;
+mod rules;
 mod ship;
 mod show;
 #[cfg(test)]
 mod tests;
+mod types;
 mod voyage;
 
-pub use read::{from_text, read};
-pub use ship::{Model, Ship};
-pub use show::in_force;
-
-use serde::Deserialize;
-use std::net::SocketAddr;
-use std::path::PathBuf;
-use wheelover_core::route::Route;
-use wheelover_core::settings::Settings;
-use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile};
-pub use wheelover_core::voyage::Role;
-
-/// What stands behind a port.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    /// A recording, read once at its line rate.
-    File,
-    /// A serial device.
-    Serial,
-    /// A server that we call.
-    TcpClient,
-    /// A client that calls us.
-    TcpServer,
-    /// Datagrams.
-    Udp,
-}
-
-impl Kind {
-    /// Its name in the configuration.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::File => "file",
-            Self::Serial => "serial",
-            Self::TcpClient => "tcp-client",
-            Self::TcpServer => "tcp-server",
-            Self::Udp => "udp",
-        }
-    }
-}
-
-/// Where a port leads.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// A file to be read.
-    File(PathBuf),
-    /// A serial device, with its rate.
-    Serial(PathBuf, u32),
-    /// A server to be called: host and port.
-    TcpClient(String),
-    /// An address to listen on.
-    TcpServer(SocketAddr),
-    /// An address to hear on, or to talk with.
-    Udp(SocketAddr),
-}
-
-/// A port as configured.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Port {
-    /// Its station.
-    pub station: Role,
-    /// What the core knows of it.
-    pub setup: PortSetup,
-    /// Where it leads.
-    pub place: Place,
-}
-
-/// A checked configuration.
-#[derive(Clone, Debug)]
-pub struct Config {
-    /// Which stations run here.
-    pub roles: Vec<Role>,
-    /// Where pages are served.
-    pub listen: SocketAddr,
-    /// Whether anything may leave a port.
-    pub allow_output: bool,
-    /// The ports.
-    pub ports: Vec<Port>,
-    /// The ship.
-    pub ship: Ship,
-    /// Parameters of the autopilot.
-    pub settings: Settings,
-    /// The route of the chart-system side; none: the embedded one.
-    pub route: Option<Route>,
-}
-
-impl Config {
-    /// Whether bytes may leave a port.
-    #[must_use]
-    pub fn may_send(&self, port: usize) -> bool {
-        self.allow_output && self.ports.get(port).is_some_and(|port| port.setup.output)
-    }
-}
-
-/// Whether what is heard on a port can change what the ship does by itself.
-#[must_use]
-pub const fn commands(profile: Profile) -> bool {
-    matches!(profile, Profile::Ecdis | Profile::Hmi)
-}
-
-const fn profile_name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::Ecdis => "ecdis",
-        Profile::Gyro1 => "gyro1",
-        Profile::Gyro2 => "gyro2",
-        Profile::Thd => "thd",
-        Profile::Magn => "magn",
-        Profile::Gps => "gps",
-        Profile::Log => "log",
-        Profile::Rot => "rot",
-        Profile::Gear => "gear",
-        Profile::Hmi => "hmi",
-        Profile::Monitor => "monitor",
-    }
-}
-
-const fn policy_name(policy: ChecksumPolicy) -> &'static str {
-    match policy {
-        ChecksumPolicy::Required => "required",
-        ChecksumPolicy::Learned => "learned",
-        ChecksumPolicy::Optional => "optional",
-    }
-}
+pub(crate) use read::read;
+pub(crate) use rules::Rules;
+pub(crate) use show::in_force;
+pub(crate) use types::{Config, Place, Port};

@@ -1,12 +1,13 @@
 //! One `[[port]]` as written, and what makes it a port that can be.
 
-use super::{Kind, Place, Port, Role, commands, policy_name, profile_name};
+use super::types::{Kind, Place, Port, commands, policy_name, profile_name};
 use serde::Deserialize;
 use std::net::SocketAddr;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile};
+use wheelover_core::voyage::Role;
 
 /// A port as written.
 #[derive(Debug, Deserialize)]

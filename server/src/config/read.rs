@@ -1,7 +1,10 @@
 //! Reading a configuration: every mistake is one line with file, line, key and what is allowed.
 
 use super::port::{Mistake, PortForm, port, socket};
-use super::{Config, Port, Role, Ship, load, route};
+use super::route;
+use super::rules::conflict;
+use super::ship::Ship;
+use super::types::{Config, Port};
 use crate::error::{Error, reason};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -9,6 +12,7 @@ use std::net::SocketAddr;
 use std::path::Path;
 use toml::Spanned;
 use wheelover_core::settings::{Settings, TABLE, Value, definition};
+use wheelover_core::voyage::Role;
 
 /// The file as written.
 #[derive(Debug, Deserialize)]
@@ -41,7 +45,7 @@ impl Default for Form {
 ///
 /// # Errors
 /// The file cannot be read, or says something that cannot be.
-pub fn read(path: &Path) -> Result<Config, Error> {
+pub(crate) fn read(path: &Path) -> Result<Config, Error> {
     let file = path.display().to_string();
     let text = std::fs::read_to_string(path).map_err(|source| Error::File {
         path: file.clone(),
@@ -54,7 +58,7 @@ pub fn read(path: &Path) -> Result<Config, Error> {
 ///
 /// # Errors
 /// It says something that cannot be.
-pub fn from_text(file: &str, text: &str, folder: Option<&Path>) -> Result<Config, Error> {
+pub(crate) fn from_text(file: &str, text: &str, folder: Option<&Path>) -> Result<Config, Error> {
     toml::from_str::<Form>(text)
         .map_err(|error| (error.span().unwrap_or(0..0), in_our_words(error.message())))
         .and_then(|form| check(form, folder.unwrap_or(Path::new(""))))
@@ -83,13 +87,14 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
     };
     let settings = settings(form.autopilot, &form.ship)?;
     let mut ports: Vec<Port> = Vec::new();
+    let mut spans = Vec::new();
     for written in form.port {
+        spans.push(written.span());
         let span = written.span();
-        let port = port(written.into_inner(), span.clone(), &roles, folder, &ports)?;
-        if let Some(complaint) = load::complaint(&port, &settings) {
-            return Err((span, complaint));
-        }
-        ports.push(port);
+        ports.push(port(written.into_inner(), span, &roles, folder, &ports)?);
+    }
+    if let Some((number, text)) = conflict(&ports, &settings) {
+        return Err((spans[number].clone(), text));
     }
     form.ship
         .get_ref()

@@ -5,45 +5,45 @@ use serde::Deserialize;
 /// The ship of the world station, and what is fixed on board.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub struct Ship {
+pub(crate) struct Ship {
     /// Hull of the world station.
-    pub model: Model,
+    pub(crate) model: Model,
     /// Length, metres.
-    pub length_m: f64,
+    pub(crate) length_m: f64,
     /// Beam, metres.
-    pub beam_m: f64,
+    pub(crate) beam_m: f64,
     /// Antenna of the position receiver forward of midships, metres.
-    pub antenna_forward_m: f64,
+    pub(crate) antenna_forward_m: f64,
     /// Antenna to starboard of the midship line, metres.
-    pub antenna_starboard_m: f64,
+    pub(crate) antenna_starboard_m: f64,
     /// Conning position forward of midships, metres.
-    pub conning_forward_m: f64,
+    pub(crate) conning_forward_m: f64,
     /// Conning position to starboard of the midship line, metres.
-    pub conning_starboard_m: f64,
+    pub(crate) conning_starboard_m: f64,
     /// Rudder forward of midships, metres; negative is aft.
-    pub rudder_forward_m: f64,
+    pub(crate) rudder_forward_m: f64,
     /// Largest rudder angle, degrees; none: the setting `rudder_max`.
-    pub rudder_max_deg: Option<f64>,
+    pub(crate) rudder_max_deg: Option<f64>,
     /// Slew of the gear, degrees a second; none: the setting `rudder_slew`.
-    pub rudder_slew_deg_s: Option<f64>,
+    pub(crate) rudder_slew_deg_s: Option<f64>,
     /// Where the world station starts; none: at the first waypoint.
-    pub start_lat: Option<f64>,
+    pub(crate) start_lat: Option<f64>,
     /// Where the world station starts; none: at the first waypoint.
-    pub start_lon: Option<f64>,
+    pub(crate) start_lon: Option<f64>,
     /// Heading at the start, degrees; none: the first leg's course.
-    pub start_heading: Option<f64>,
+    pub(crate) start_heading: Option<f64>,
     /// Speed of the world station's ship, knots.
-    pub speed_kn: f64,
+    pub(crate) speed_kn: f64,
     /// Direction towards which the current of the world station sets, degrees.
-    pub current_set: f64,
+    pub(crate) current_set: f64,
     /// Its speed, knots.
-    pub current_drift_kn: f64,
+    pub(crate) current_drift_kn: f64,
 }
 
 /// Hull of the world station.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Model {
+pub(crate) enum Model {
     /// The Mariner-class cargo ship.
     #[default]
     Mariner,

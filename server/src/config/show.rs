@@ -1,13 +1,12 @@
 //! CFG-1: a configuration printed as it is in force, with every default.
 
-use super::{Config, Place, policy_name, profile_name};
-use crate::persist::written;
+use super::types::{Config, Place, policy_name, profile_name};
 use std::fmt::Write;
 use wheelover_core::settings::{Kind, TABLE, Value};
 
 /// The configuration as TOML that gives the same again.
 #[must_use]
-pub fn in_force(config: &Config) -> String {
+pub(crate) fn in_force(config: &Config) -> String {
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = write(config, &mut text);
@@ -112,6 +111,16 @@ fn route(config: &Config, out: &mut String) -> std::fmt::Result {
         )?;
     }
     Ok(())
+}
+
+/// A value as TOML.
+fn written(value: &Value) -> String {
+    match value {
+        Value::Switch(on) => on.to_string(),
+        Value::Number(number) => format!("{number:?}"),
+        Value::Choice(name) => quoted(name),
+        Value::Absent => quoted(""),
+    }
 }
 
 fn quoted(text: &str) -> String {

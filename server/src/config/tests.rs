@@ -1,7 +1,8 @@
 //! What a configuration may say, and what is said about the rest.
 
-use super::{from_text, in_force};
-use crate::Error;
+use super::in_force;
+use super::read::from_text;
+use crate::error::Error;
 
 const PORT: &str = "[[port]]\nname = \"ecdis\"\nkind = \"tcp-server\"\naddress = \"127.0.0.1:0\"\nprofile = \"ecdis\"\n";
 

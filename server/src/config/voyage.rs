@@ -1,6 +1,6 @@
 //! From a configuration to the stations that run here.
 
-use super::{Config, Role};
+use super::types::Config;
 use wheelover_core::autopilot::steering::SteeringSettings;
 use wheelover_core::chart_system::ChartConfig;
 use wheelover_core::route::{embedded, embedded_start};
@@ -12,7 +12,7 @@ use wheelover_core::world::WorldConfig;
 impl Config {
     /// The voyage of this configuration.
     #[must_use]
-    pub fn voyage(&self) -> Voyage {
+    pub(crate) fn voyage(&self) -> Voyage {
         let ship = &self.ship;
         let ports = self.ports.iter().enumerate().map(|(index, port)| {
             let setup = PortSetup {
@@ -65,11 +65,5 @@ impl Config {
             current_drift: Speed::from_knots(ship.current_drift_kn),
             ..WorldConfig::default()
         }
-    }
-
-    /// Whether a station runs here.
-    #[must_use]
-    pub fn runs(&self, role: Role) -> bool {
-        self.roles.contains(&role)
     }
 }

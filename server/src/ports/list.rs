@@ -5,16 +5,16 @@ use std::path::{Path, PathBuf};
 
 /// A serial port.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Found {
+pub(crate) struct Found {
     /// The name to be written into a configuration: one that stays with the device, where there is one.
-    pub path: PathBuf,
+    pub(crate) path: PathBuf,
     /// The device behind it.
-    pub device: PathBuf,
+    pub(crate) device: PathBuf,
 }
 
 /// Lists the serial ports: those with lasting names first.
 #[must_use]
-pub fn list() -> Vec<Found> {
+pub(crate) fn list() -> Vec<Found> {
     within(Path::new("/dev"), Path::new("/sys/class/tty"))
 }
 

@@ -3,65 +3,21 @@
 //! **Invariant:** a port that goes away comes back by itself (FB8, FB9), and one that does not take its
 //! output holds the newest sentence of each kind, never a backlog (FB11).
 
-pub mod list;
+pub(crate) mod list;
 mod open;
-mod outbox;
 mod playback;
 mod task;
 mod wire;
 
-pub use outbox::Outbox;
-
+use crate::bus::{Inlet, Link};
 use crate::config::{Config, Port};
-use crate::control::Control;
 use crate::error::Error;
-use std::sync::{Arc, Mutex, PoisonError};
-use tokio::sync::watch;
-
-/// One port as the rest of the server sees it.
-#[derive(Clone, Debug)]
-pub struct Link {
-    /// Its number among the ports of the configuration.
-    pub index: usize,
-    /// Its name.
-    pub name: String,
-    /// What is to be sent.
-    pub outbox: Arc<Outbox>,
-    trouble: Arc<Mutex<String>>,
-}
-
-impl Link {
-    /// A port of which nothing is known yet.
-    #[must_use]
-    pub fn new(index: usize, name: &str) -> Self {
-        Self {
-            index,
-            name: name.to_owned(),
-            outbox: Arc::default(),
-            trouble: Arc::default(),
-        }
-    }
-
-    /// What is wrong with it; empty where nothing is.
-    #[must_use]
-    pub fn trouble(&self) -> String {
-        self.trouble
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
-    }
-
-    fn set_trouble(&self, text: &str) {
-        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
-        if *trouble != text {
-            text.clone_into(&mut trouble);
-        }
-    }
-}
+use tokio_util::sync::CancellationToken;
+use tokio_util::task::TaskTracker;
 
 /// Ports that are open, or whose device is not there yet; nothing runs on them before [`Ready::start`].
 #[derive(Debug)]
-pub struct Ready {
+pub(crate) struct Ready {
     opened: Vec<(Port, Option<open::Opened>)>,
 }
 
@@ -70,7 +26,7 @@ impl Ready {
     ///
     /// # Errors
     /// A device or an address is taken by another program; one that is absent is no error.
-    pub async fn open(config: &Config) -> Result<Self, Error> {
+    pub(crate) async fn open(config: &Config) -> Result<Self, Error> {
         let mut opened = Vec::with_capacity(config.ports.len());
         for port in &config.ports {
             let found = match open::open(&port.place).await {
@@ -88,11 +44,17 @@ impl Ready {
         Ok(Self { opened })
     }
 
-    /// Runs the ports until `stop` is raised.
-    pub fn start(self, links: &[Link], control: &Control, stop: &watch::Receiver<bool>) {
+    /// Runs the ports, as tasks of the server, until it ends.
+    pub(crate) fn start(
+        self,
+        links: &[Link],
+        inlet: &Inlet,
+        tasks: &TaskTracker,
+        stop: &CancellationToken,
+    ) {
         for ((port, opened), link) in self.opened.into_iter().zip(links) {
-            let (link, control, stop) = (link.clone(), control.clone(), stop.clone());
-            tokio::spawn(task::run(port, opened, link, control, stop));
+            let running = task::run(port, opened, link.clone(), inlet.clone());
+            tasks.spawn(stop.clone().run_until_cancelled_owned(running));
         }
     }
 }

@@ -8,7 +8,7 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpSocket, TcpStream, UdpSocket, lookup_host};
-use tokio_serial::{DataBits, FlowControl, Parity, SerialPortBuilderExt, StopBits};
+use tokio_serial::{DataBits, ErrorKind, FlowControl, Parity, SerialPortBuilderExt, StopBits};
 
 /// A server that does not answer for this long counts as absent.
 const CALL_TIMEOUT: Duration = Duration::from_secs(2);
@@ -88,12 +88,12 @@ fn serial(path: &str, baud: u32) -> Result<Opened, Failure> {
         .open_native_async()
         .map(|port| Opened::Wire(Wire::Serial(port)))
         .map_err(|error| {
-            let words = error.to_string();
-            let taken = words.contains("exclusive lock") || words.contains("busy");
+            // The library's name for a device that another program holds, by lock or by its mode.
+            let taken = error.kind() == ErrorKind::NoDevice;
             let text = if taken {
                 format!("{path} is in use by another program")
             } else {
-                let words = words.to_lowercase();
+                let words = error.to_string().to_lowercase();
                 format!("{path}: {words}")
             };
             Failure { taken, text }

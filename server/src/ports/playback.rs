@@ -1,7 +1,6 @@
 //! A recording in the place of a line: its lines are heard once, at their times or at the pace of a 4800 baud line.
 
-use super::Link;
-use crate::control::{Control, Input};
+use crate::bus::{Inlet, Link};
 use std::io;
 use std::path::Path;
 use std::time::Duration;
@@ -13,9 +12,9 @@ use tokio::time::{Instant, sleep, sleep_until};
 const LONGEST: u64 = 1024;
 
 /// Plays a recording to its end.
-pub(super) async fn play(path: &Path, link: &Link, control: &Control) -> io::Result<()> {
+pub(super) async fn play(path: &Path, link: &Link, inlet: &Inlet) -> io::Result<()> {
     let mut file = BufReader::new(File::open(path).await?);
-    control.port_up(link.index, true).await;
+    inlet.port_up(link, true);
     let start = Instant::now();
     let mut first = None;
     let mut line = Vec::new();
@@ -24,7 +23,7 @@ pub(super) async fn play(path: &Path, link: &Link, control: &Control) -> io::Res
         let heard = (&mut file).take(LONGEST).read_until(b'\n', &mut line).await;
         match heard {
             Ok(0) | Err(_) => {
-                control.port_up(link.index, false).await;
+                inlet.port_up(link, false);
                 return heard.map(|_| ());
             }
             Ok(_) => {}
@@ -39,10 +38,7 @@ pub(super) async fn play(path: &Path, link: &Link, control: &Control) -> io::Res
         }
         let bytes = text.to_vec();
         if !bytes.is_empty() {
-            let _ = control.offer(Input::Bytes {
-                port: link.index,
-                bytes,
-            });
+            let _ = inlet.hear(link, bytes);
         }
     }
 }

@@ -1,16 +1,14 @@
 //! One task a port: opens it, moves bytes until it is lost, and opens it again.
 
 use super::open::{self, Opened};
+use super::playback;
 use super::wire::{Moved, Wire};
-use super::{Link, playback};
+use crate::bus::{Inlet, Link, Trouble};
 use crate::config::{Place, Port};
-use crate::control::{Control, Input};
 use crate::error::reason;
-use crate::http::stopped;
 use std::io;
 use std::time::Duration;
 use tokio::net::TcpListener;
-use tokio::sync::watch;
 use tokio::time::{Instant, sleep, sleep_until};
 
 /// First and longest wait before a port is tried again (FB9).
@@ -19,26 +17,11 @@ const BACK_OFF: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs
 const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 /// Seconds of line that the system may hold back before it counts as blocked.
 const HELD_BACK: f64 = 0.3;
-/// What is said of a line that brings more than can be taken.
-const FLOODED: &str = "too much heard at once: some was lost";
-/// What is said of a line that does not take its output.
-const BLOCKED: &str = "output blocked: the other side does not read";
+/// So long after bytes were lost a line still counts as one that floods.
+const FLOODED_FOR: Duration = Duration::from_secs(1);
 
-/// Runs a port until `stop` is raised.
-pub(super) async fn run(
-    port: Port,
-    opened: Option<Opened>,
-    link: Link,
-    control: Control,
-    mut stop: watch::Receiver<bool>,
-) {
-    tokio::select! {
-        () = keep(&port, opened, &link, &control) => {}
-        () = stopped(&mut stop) => {}
-    }
-}
-
-async fn keep(port: &Port, mut opened: Option<Opened>, link: &Link, control: &Control) {
+/// Runs a port, for ever.
+pub(super) async fn run(port: Port, mut opened: Option<Opened>, link: Link, inlet: Inlet) {
     let mut wait = BACK_OFF[0];
     loop {
         let now = match opened.take() {
@@ -48,22 +31,22 @@ async fn keep(port: &Port, mut opened: Option<Opened>, link: &Link, control: &Co
         match now {
             Ok(Opened::Wire(wire)) => {
                 wait = BACK_OFF[0];
-                let lost = converse(wire, port, link, control).await;
-                link.set_trouble(&lost_words(&lost));
+                let lost = converse(wire, &port, &link, &inlet).await;
+                say(&link, lost_words(&lost));
             }
             Ok(Opened::Listener(listener)) => {
                 wait = BACK_OFF[0];
-                serve(&listener, port, link, control).await;
+                serve(&listener, &port, &link, &inlet).await;
             }
             Ok(Opened::Recording(path)) => {
-                let played = playback::play(&path, link, control).await;
-                link.set_trouble(&match played {
+                let played = playback::play(&path, &link, &inlet).await;
+                let words = match played {
                     Ok(()) => "end of the recording".to_owned(),
                     Err(error) => reason(&error),
-                });
-                return;
+                };
+                return say(&link, words);
             }
-            Err(failure) => link.set_trouble(&failure.text),
+            Err(failure) => say(&link, failure.text),
         }
         sleep(wait).await;
         wait = (wait * 2).min(BACK_OFF[1]);
@@ -78,8 +61,8 @@ fn lost_words(error: &io::Error) -> String {
 }
 
 /// One client at a time: who came first keeps the line until it is lost.
-async fn serve(listener: &TcpListener, port: &Port, link: &Link, control: &Control) {
-    link.set_trouble("nobody has called");
+async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) {
+    say(link, "nobody has called".to_owned());
     loop {
         let Ok((stream, _)) = listener.accept().await else {
             sleep(BACK_OFF[0]).await;
@@ -95,12 +78,12 @@ async fn serve(listener: &TcpListener, port: &Port, link: &Link, control: &Contr
             }
         };
         tokio::select! {
-            lost = converse(Wire::Tcp(stream), port, link, control) => {
+            lost = converse(Wire::Tcp(stream), port, link, inlet) => {
                 let words = match lost.kind() {
                     io::ErrorKind::UnexpectedEof => "the other side hung up".to_owned(),
                     _ => reason(&lost),
                 };
-                link.set_trouble(&words);
+                say(link, words);
             }
             () = turn_away => {}
         }
@@ -108,38 +91,38 @@ async fn serve(listener: &TcpListener, port: &Port, link: &Link, control: &Contr
 }
 
 /// Moves bytes both ways until the line is lost; says why.
-async fn converse(mut wire: Wire, port: &Port, link: &Link, control: &Control) -> io::Error {
-    control.port_up(link.index, true).await;
-    link.set_trouble("");
-    let lost = move_bytes(&mut wire, port, link, control).await;
-    control.port_up(link.index, false).await;
+async fn converse(mut wire: Wire, port: &Port, link: &Link, inlet: &Inlet) -> io::Error {
+    inlet.port_up(link, true);
+    if link.set_trouble(Trouble::None) {
+        tracing::info!("port {} is there", link.name);
+    }
+    let lost = move_bytes(&mut wire, port, link, inlet).await;
+    inlet.port_up(link, false);
     lost
 }
 
-async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, control: &Control) -> io::Error {
+async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, inlet: &Inlet) -> io::Error {
     let mut buffer = [0; 1024];
     let mut line: Vec<u8> = Vec::new();
     let mut pace = Pace::new(&port.place);
+    let mut flood = Flood::default();
     loop {
         let writing = !line.is_empty();
         tokio::select! {
             moved = std::future::poll_fn(|cx| wire.poll(cx, &mut buffer, &line)) => match moved {
-                Ok(Moved::Read(count)) => {
-                    let bytes = buffer[..count].to_vec();
-                    hear(bytes, link, control);
-                }
+                Ok(Moved::Read(count)) => flood.hear(&buffer[..count], link, inlet),
                 Ok(Moved::Written(count)) => {
                     line.drain(..count);
                     pace.wrote(count);
-                    if line.is_empty() && link.trouble() == BLOCKED && !pace.blocked(wire) {
-                        link.set_trouble("");
+                    if line.is_empty() && !pace.blocked(wire) {
+                        link.end_trouble(&Trouble::Blocked);
                     }
                 }
                 Err(error) => return error,
             },
             () = sleep_until(pace.deadline), if writing => {
                 // What is left of it is too old; the other side skips the damaged sentence.
-                link.set_trouble(BLOCKED);
+                trouble(link, Trouble::Blocked);
                 wire.discard();
                 line = b"\r\n".to_vec();
                 pace.wrote(0);
@@ -147,13 +130,13 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, control: &Control
             () = sleep_until(pace.free), if !writing && !pace.is_free() => {
                 if pace.blocked(wire) {
                     if pace.stuck() {
-                        link.set_trouble(BLOCKED);
+                        trouble(link, Trouble::Blocked);
                         wire.discard();
                     }
                     pace.free = Instant::now() + Duration::from_millis(50);
                 }
             },
-            next = link.outbox.next(), if !writing && pace.is_free() => {
+            next = next(link), if !writing && pace.is_free() => {
                 line = next;
                 pace.deadline = Instant::now() + WRITE_TIMEOUT;
             },
@@ -161,13 +144,39 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, control: &Control
     }
 }
 
-/// Bytes beyond what the control thread takes are lost, and that is said until some are taken again.
-fn hear(bytes: Vec<u8>, link: &Link, control: &Control) {
-    let port = link.index;
-    if !control.offer(Input::Bytes { port, bytes }) {
-        link.set_trouble(FLOODED);
-    } else if link.trouble() == FLOODED {
-        link.set_trouble("");
+/// The next sentence to send; never where nothing may leave the port.
+async fn next(link: &Link) -> Vec<u8> {
+    match &link.outbox {
+        Some(outbox) => outbox.next().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Bytes beyond what the control thread takes are lost, and that is said until all are taken for a second.
+#[derive(Default)]
+struct Flood(Option<Instant>);
+
+impl Flood {
+    fn hear(&mut self, bytes: &[u8], link: &Link, inlet: &Inlet) {
+        if !inlet.hear(link, bytes.to_vec()) {
+            self.0 = Some(Instant::now());
+            trouble(link, Trouble::Flooded);
+        } else if self.0.is_some_and(|lost| lost.elapsed() > FLOODED_FOR) {
+            self.0 = None;
+            link.end_trouble(&Trouble::Flooded);
+        }
+    }
+}
+
+/// Says why a port is not there.
+fn say(link: &Link, reason: String) {
+    trouble(link, Trouble::Away(reason));
+}
+
+fn trouble(link: &Link, trouble: Trouble) {
+    let text = trouble.to_string();
+    if link.set_trouble(trouble) {
+        tracing::warn!("port {}: {text}", link.name);
     }
 }
 

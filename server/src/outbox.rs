@@ -19,7 +19,7 @@ struct Waiting {
 
 /// One slot for each formatter and sub-identifier. Pushing never waits.
 #[derive(Debug, Default)]
-pub struct Outbox {
+pub(crate) struct Outbox {
     waiting: Mutex<VecDeque<Waiting>>,
     news: Notify,
 }
@@ -30,7 +30,7 @@ impl Outbox {
     }
 
     /// Takes whole sentences; each replaces the one of its kind that still waits.
-    pub fn push(&self, sentences: &[u8], now: Instant) {
+    pub(crate) fn push(&self, sentences: &[u8], now: Instant) {
         let mut waiting = self.lock();
         for line in sentences.split_inclusive(|byte| *byte == b'\n') {
             let key = key(line);
@@ -54,7 +54,7 @@ impl Outbox {
     }
 
     /// The next sentence to send; periodic ones that are too old are left out.
-    pub fn take(&self, now: Instant) -> Option<Vec<u8>> {
+    pub(crate) fn take(&self, now: Instant) -> Option<Vec<u8>> {
         let mut waiting = self.lock();
         while let Some(next) = waiting.pop_front() {
             if is_event(&next.key) || now.saturating_duration_since(next.since) <= OLDEST {
@@ -65,7 +65,7 @@ impl Outbox {
     }
 
     /// Waits until there is something to send, and takes it.
-    pub async fn next(&self) -> Vec<u8> {
+    pub(crate) async fn next(&self) -> Vec<u8> {
         loop {
             if let Some(line) = self.take(Instant::now()) {
                 return line;
