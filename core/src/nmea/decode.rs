@@ -299,6 +299,36 @@ impl<'a> Sentence<'a> {
         }
         if let Some(definition) = self.known {
             count_fault(definition, &self.fields, faults);
+            self.empty_fault(definition, faults);
+        }
+    }
+
+    /// A sentence that alone should carry something carries nothing.
+    fn empty_fault(&self, definition: &Definition, faults: &mut Vec<Fault>) {
+        let empty = |at: usize| self.fields.len() > at && self.fields.at(at).is_empty();
+        // Of a message in several sentences the last part may be empty.
+        let alone = matches!(self.fields.at(0), b"1" | b"01");
+        let payload = definition
+            .members
+            .iter()
+            .position(|kind| matches!(kind, Kind::Payload));
+        if let Some(at) = payload
+            && alone
+            && empty(at)
+        {
+            faults.push(Fault::at(at, FaultKind::MissingPart));
+        }
+        if self.formatter == "GSV"
+            && self
+                .fields
+                .at(2)
+                .iter()
+                .any(|digit| (b'1'..=b'9').contains(digit))
+            && alone
+            && self.fields.at(3).is_empty()
+        {
+            let last = 3.min(self.fields.len() - 1);
+            faults.push(Fault::at(last, FaultKind::MissingPart));
         }
     }
 }
@@ -360,9 +390,14 @@ fn count_fault(definition: &Definition, fields: &FieldList<'_>, faults: &mut Vec
             .lengths
             .first()
             .map_or(expected as u8, |&length| length);
-        faults.push(Fault::line(FaultKind::FieldCount {
+        let kind = FaultKind::FieldCount {
             found: said,
             expected,
-        }));
+        };
+        // Where a list ends inside an entry, the last field bears the fault.
+        faults.push(match (&definition.group, found) {
+            (None, _) | (_, 0) => Fault::line(kind),
+            (Some(_), _) => Fault::at(found - 1, kind),
+        });
     }
 }

@@ -40,6 +40,8 @@ codes! {
     StatusMessage { Status = b'S' "status of a section", Event = b'E' "single event", Fault = b'F' "fault of the system" }
     /// State of a door.
     DoorState { Open = b'O' "open", Closed = b'C' "closed", Secured = b'S' "secured", Free = b'F' "free", Fault = b'X' "fault" }
+    /// Setting of the watertight doors of a ship.
+    DoorMode { Harbour = b'O' "harbour mode, may be open", Sea = b'C' "sea mode, ordered closed" }
     /// Condition of a detector.
     DetectorCondition { Activated = b'A' "activation", Fault = b'F' "fault", Disabled = b'D' "disabled", Normal = b'N' "normal", High = b'H' "high level", Low = b'J' "low level", Extreme = b'L' "extreme level", Unknown = b'V' "not valid", Other = b'X' "other" }
 }
@@ -104,7 +106,7 @@ sentences! {
         division_2: text(3) "Second division.",
         number: integer(whole(0, 999, 3)) "Door, or count of open or faulty doors.",
         state: code(DoorState) "State of the door.",
-        mode: text(1) "Setting of the watertight door mode.",
+        mode: code(DoorMode) "Setting of the watertight door mode.",
         text: text(40) "Description.",
     }
     fir = "FIR" b'$' [9] "Fire detection", "IEC 61162-1 FIR" {

@@ -149,8 +149,9 @@ fn fields(random: &mut Random, kind: &Kind, out: &mut Vec<String>) {
             }
             out.push(field);
         }
+        // A sentence that alone carries nothing has a fault.
         Kind::Payload | Kind::Any => {
-            if !null {
+            if !null || matches!(kind, Kind::Payload) {
                 for _ in 0..=random.below(20) {
                     field.push(random.pick(&['0', '9', ':', 'W', '`', 'w', 'k']));
                 }
@@ -169,7 +170,7 @@ pub(super) fn line(random: &mut Random, definition: &Definition) -> String {
     if let Some(group) = &definition.group {
         let count = match group.repeat {
             Repeat::UpTo(most) if group.members.len() == 1 => usize::from(most),
-            Repeat::UpTo(most) => random.below(usize::from(most) + 1),
+            Repeat::UpTo(most) => 1 + random.below(usize::from(most)),
             Repeat::Counted(at) => {
                 let count = random.below(4);
                 all[usize::from(at)] = alloc::format!("{count}");

@@ -294,7 +294,7 @@ fn faults_name_the_field_and_leave_the_others() {
             (Some(12), "not_a_number"),
         ],
     );
-    check("AGALC,01,01,03,2,,10012,,1", &[(None, "field_count")]);
+    check("AGALC,01,01,03,2,,10012,,1", &[(Some(8), "field_count")]);
     check("XXZZZ,1", &[]);
     let gll = line("EIGLL,5345.345,N,12365.635,W,123423,A,A");
     let view = Gll::from_sentence(&decode(gll.as_bytes())).expect("a GLL");
