@@ -90,18 +90,34 @@ alerts! {
     TrackFail = 101, Alarm, B, "TRACK FAIL", "Track control lost";
     /// TCS-8: the chart system's sentences are late.
     TrackDataLate = 102, Caution, B, "TRACK DATA LATE", "The chart system's sentences are late. Check the chart system";
+    /// FB13: two sources command.
+    HtcConflict = 103, Alarm, B, "HTC CONFLICT", "HTC SOURCE CONFLICT: two sources command. Silence one of them";
+    /// SEN-5, TCS-4: what the chart system says is refused.
+    TrackDataRefused = 104, Caution, B, "TRACK DATA REFUSED", "The chart system's command is refused. Check the chart system";
     /// FA7: no usable heading.
     HeadingLost = 110, Alarm, B, "HEADING LOST", "No usable heading. Rudder held: steer by hand";
     /// FA8: a heading jumped and was rejected.
     HeadingJump = 111, Caution, B, "HEADING JUMP", "The heading jumped and is not used. Check the gyro";
     /// AP-5: off the set heading.
     OffHeading = 112, Warning, B, "OFF HEADING", "The ship is off the set heading. Check speed, rudder and limits";
+    /// FA8: a heading stands still while the ship turns.
+    HeadingStuck = 113, Caution, B, "HEADING STUCK", "The heading stands still while the ship turns. Check the compass";
+    /// AP-9: another compass is in use.
+    HeadingSource = 114, Caution, B, "HEADING SOURCE", "Another compass is in use. Check the compasses";
+    /// MSC.74(69) A2 5.3.6: off the track.
+    OffTrack = 115, Alarm, B, "OFF TRACK", "The ship is off the track. Check track, speed and rudder";
     /// FA9: a position jumped and was rejected.
     PositionJump = 120, Caution, B, "POSITION JUMP", "A position is off the dead reckoning and is not used. Check the receiver";
     /// AP-7: the position is not corrected.
     NoDifferential = 121, Caution, B, "NO DGPS", "The position is without differential correction";
     /// AP-9: no measured speed; the cruise speed is used.
     SpeedLost = 122, Caution, B, "SPEED LOST", "No measured speed. The set cruise speed is used for the gains";
+    /// AP-9: another position source is in use.
+    PositionSource = 123, Caution, B, "POSITION SOURCE", "Another position source is in use. Check the receivers";
+    /// AP-9: another speed source is in use.
+    SpeedSource = 124, Caution, B, "SPEED SOURCE", "Another speed source is in use. Check log and receivers";
+    /// AP-20: nobody gave the ship's constants.
+    ShipUnknown = 131, Caution, B, "SHIP CONSTANTS", "The ship's constants were not given: cautious steering, no track control";
     /// AP-4, FA11: feedback invalid or off the order.
     Rudder = 130, Alarm, B, "RUDDER", "The rudder does not follow its order or has no feedback. Steer by hand";
     /// HTC-1: override reported by the chart system.
@@ -295,6 +311,15 @@ impl Alerts {
             if self.active[index].state == State::Unacknowledged {
                 self.active[index].state = State::Silenced;
                 self.active[index].silent_until = now + SILENCE_MS;
+            }
+        }
+    }
+
+    /// Lets everything that was silenced sound again at once.
+    pub fn sound_again(&mut self) {
+        for active in &mut self.active {
+            if active.state == State::Silenced {
+                active.state = State::Unacknowledged;
             }
         }
     }

@@ -240,6 +240,12 @@ impl Picture {
         self.best(&self.water_speeds, Quantity::WaterSpeed, now)
     }
 
+    /// Place of a source in the order of preference, the best first (AP-9).
+    pub(crate) fn rank(&self, source: &Source) -> u8 {
+        let port = self.ports.get(source.port);
+        port.map_or(99, |port| rank(port.profile))
+    }
+
     /// Name of a source as `port/talker/formatter`.
     #[must_use]
     pub fn source_name(&self, source: &Source) -> String {
@@ -264,11 +270,7 @@ impl Picture {
         quantity: Quantity,
         now: Stamp,
     ) -> Option<&'a Heard<T>> {
-        let rank = |heard: &Heard<T>| {
-            self.ports
-                .get(heard.source.port)
-                .map_or(99, |p| rank(p.profile))
-        };
+        let rank = |heard: &Heard<T>| self.rank(&heard.source);
         list.iter()
             .filter(|heard| heard.usable(quantity, now).is_some())
             .min_by_key(|heard| rank(heard))

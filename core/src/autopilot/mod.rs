@@ -6,13 +6,12 @@
 //! **Invariant:** orders leave only in a mode that gives them, within limit and slew, and the operator's
 //! STANDBY is always granted.
 
-mod entry;
-mod follow;
-mod guard;
 mod modes;
 mod operator;
+mod remote;
 mod report;
-mod sensors;
+mod selection;
+mod sight;
 pub mod steering;
 
 use crate::alerts::{Alert, Alerts};
@@ -22,19 +21,22 @@ use crate::picture::Picture;
 use crate::settings::{Settings, SteeringBy};
 use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station};
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn, RudderAngle};
+use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::collections::VecDeque;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
-use guard::{HeadingGuard, PositionGuard};
 use modes::{Event, Ship};
 pub use modes::{Finish, Mode, ModeName};
+use remote::Remote;
 use serde::{Deserialize, Serialize};
+use sight::{Compasses, PositionGuard, Preferred};
 use steering::{Demand, Steered, Steering, SteeringSettings, TurnBy};
 
 /// A selection of AutoNAV that waits for the chart system (AP-6).
 pub const CONFIRM_MS: u64 = 20_000;
+/// A control loop that kept its time for so long has recovered (FA16).
+const STALL_OVER_MS: u64 = 10_000;
 
 /// The autopilot.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -51,13 +53,16 @@ pub struct Autopilot {
     steered: Option<Steered>,
     heading: Option<Heading>,
     rate: RateOfTurn,
-    heading_guard: HeadingGuard,
+    compasses: Compasses,
+    /// Whether position, ground and water come from the preferred source.
+    preferred: [Preferred; 3],
     position_guard: PositionGuard,
     last_fix: Option<Stamp>,
-    /// Times of the valid HTC in a row that command H or T (FA14).
-    commands: VecDeque<Stamp>,
-    /// When an HTC was last followed (TCS-8).
-    followed: Stamp,
+    remote: Remote,
+    /// The ship has been within half the off-track limit since track control began.
+    captured: bool,
+    off_track_since: Option<Stamp>,
+    stalled_since: Option<Stamp>,
     /// Until when a stop by the chart system may still turn out to be the end of the route (TCS-10).
     stop_cause_until: Option<Stamp>,
     off_heading_since: Option<Stamp>,
@@ -93,11 +98,14 @@ impl Autopilot {
             steered: None,
             heading: None,
             rate: RateOfTurn::from_deg_per_min(0.0),
-            heading_guard: HeadingGuard::default(),
+            compasses: Compasses::default(),
+            preferred: Default::default(),
             position_guard: PositionGuard::default(),
             last_fix: None,
-            commands: VecDeque::new(),
-            followed: now,
+            remote: Remote::default(),
+            captured: false,
+            off_track_since: None,
+            stalled_since: None,
             stop_cause_until: None,
             off_heading_since: None,
             rudder_error_since: None,
@@ -140,6 +148,7 @@ impl Autopilot {
         }
         let text = format!("the control loop was {ms} ms late");
         self.alerts.raise(now, Alert::Stalled, &text);
+        self.stalled_since = Some(now);
         self.fail_if_old(now);
     }
 
@@ -168,7 +177,15 @@ impl Autopilot {
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         station::time_out(self, now, out);
         self.alerts.tick(now);
-        self.read_sensors(now);
+        // The stall is over once the loop has kept its time for a while.
+        if self
+            .stalled_since
+            .is_some_and(|at| now.since(at) >= STALL_OVER_MS)
+        {
+            self.stalled_since = None;
+            self.alerts.rectify(now, Alert::Stalled);
+        }
+        self.look(now);
         self.supervise(now);
         let before = self.order;
         self.steered = None;
@@ -313,6 +330,16 @@ impl Autopilot {
         self.steered.as_ref()
     }
 
+    /// Measured speed through the water, else over ground, else the set cruise speed (FA10).
+    fn speed(&self) -> Speed {
+        let picture = &self.post.picture;
+        let water = self.fresh(picture.water_speed(self.now), Quantity::WaterSpeed);
+        let ground = self.fresh(picture.ground(self.now), Quantity::Ground);
+        water
+            .or(ground.map(|ground| ground.speed))
+            .unwrap_or(Speed::from_knots(self.settings.cruise_speed))
+    }
+
     /// Its alerts.
     #[must_use]
     pub fn alerts(&self) -> &Alerts {
@@ -348,14 +375,21 @@ impl Station for Autopilot {
             return;
         }
         match sentence.formatter {
-            "HTC" => self.on_htc(now),
+            "HTC" => self.on_htc(now, port, sentence),
             "ACK" => {
                 let number = nmea::Ack::from_sentence(sentence).and_then(|ack| ack.number);
-                if let Some(number) = number {
-                    self.alerts.acknowledge(now, number as u16);
+                if let Some(number) = number.and_then(|number| u16::try_from(number).ok()) {
+                    self.alerts.acknowledge(now, number);
                 }
             }
             _ => {}
+        }
+    }
+
+    fn refused(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
+        let profile = self.post.ports().get(port).map(|port| port.profile);
+        if profile == Some(Profile::Ecdis) && sentence.formatter == "HTC" {
+            self.on_broken_htc(now);
         }
     }
 }

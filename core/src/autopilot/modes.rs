@@ -52,6 +52,8 @@ pub enum Mode {
         path: Path,
         /// The radius that HTD acknowledges: the last accepted one (AP-2).
         radius: Option<Radius>,
+        /// The commanded track, as accepted.
+        track: Course,
     },
     /// Rudder frozen after a critical failure.
     RudderHold {
@@ -157,6 +159,7 @@ impl Mode {
                 Self::AutonavTi {
                     path: *path,
                     radius: Some(*radius),
+                    track: path.course_in,
                 }
             }
             (mode @ (Self::AutonavTi { .. } | Self::AutonavTn { .. }), Event::TrackFail(cause)) => {
@@ -179,9 +182,10 @@ impl Mode {
                 path: path @ Path {
                     turn: Some(turn), ..
                 },
+                track,
                 ..
             } => Self::Auto {
-                set: turn.course_out.as_heading(),
+                set: track.as_heading(),
                 finish: Some(Finish {
                     by: TurnBy::Radius(turn.radius),
                     wait: ship.before_arc.then_some(path),
@@ -245,7 +249,11 @@ mod tests {
             Radius::from_nm(0.5),
             Course::from_deg(160.0),
         );
-        Mode::AutonavTi { path, radius: None }
+        Mode::AutonavTi {
+            path,
+            radius: None,
+            track: Course::from_deg(160.0),
+        }
     }
 
     // TCS-8, FA1
@@ -255,6 +263,7 @@ mod tests {
         let mode = Mode::AutonavTi {
             path: leg,
             radius: None,
+            track: Course::from_deg(100.0),
         };
         let missing = Event::TrackFail(Cause::Missing("HTC".into()));
         let Mode::Auto { set, finish } = mode.clone().next(&missing, &ship()) else {

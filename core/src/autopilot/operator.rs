@@ -8,6 +8,7 @@ use crate::time::Stamp;
 use crate::units::{Heading, RudderAngle, Turn};
 use alloc::format;
 use alloc::string::String;
+use core::ops::RangeInclusive;
 
 impl Autopilot {
     /// Does what an operator asks, or says why not.
@@ -32,11 +33,13 @@ impl Autopilot {
             Order::Mode(ModeRequest::Track) => {
                 Err(Refusal::because("TRACK needs valid APB: none is heard"))
             }
-            Order::SetHeading(degrees) => self.set_heading(now, Heading::from_deg(*degrees)),
+            Order::SetHeading(degrees) => within("set heading", *degrees, 0.0..=360.0)
+                .and_then(|degrees| self.set_heading(now, Heading::from_deg(degrees))),
             Order::AdjustHeading(degrees) => match &self.mode {
                 Mode::Auto { set, .. } => {
-                    let set = *set + Turn::from_deg(*degrees);
-                    self.set_heading(now, set)
+                    let set = *set;
+                    within("change of the set heading", *degrees, -180.0..=180.0)
+                        .and_then(|degrees| self.set_heading(now, set + Turn::from_deg(degrees)))
                 }
                 _ => Err(Refusal::because("the heading is set in AUTO only")),
             },
@@ -46,7 +49,11 @@ impl Autopilot {
             Order::Acknowledge(number) => Err(Refusal::because(format!(
                 "alert {number} waits for no acknowledgement"
             ))),
-            Order::Silence(_) => {
+            Order::Silence(false) => {
+                self.alerts.sound_again();
+                Ok("alerts sound again".into())
+            }
+            Order::Silence(true) => {
                 self.alerts.silence(now);
                 Ok("silenced for 30 s".into())
             }
@@ -88,4 +95,15 @@ impl Autopilot {
         self.apply(now, &Event::SetHeading(set), "operator set the heading");
         Ok(format!("set heading {:05.1}", set.deg()))
     }
+}
+
+/// A number within its range, in degrees.
+fn within(what: &str, value: f64, range: RangeInclusive<f64>) -> Result<f64, Refusal> {
+    if range.contains(&value) {
+        return Ok(value);
+    }
+    let (low, high) = (range.start(), range.end());
+    Err(Refusal::because(format!(
+        "{what} is {value}, allowed are {low} to {high} deg"
+    )))
 }

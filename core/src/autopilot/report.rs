@@ -189,7 +189,11 @@ impl Autopilot {
                 htd.heading_to_steer = Some(hts.deg());
                 htd.track = Some(track.deg());
             }
-            Mode::AutonavTi { path, radius } => {
+            Mode::AutonavTi {
+                path,
+                radius,
+                track,
+            } => {
                 htd.steering_mode = Some(SteeringMode::TrackControl);
                 htd.turn_mode = Some(if path.turn.is_some() {
                     TurnMode::Radius
@@ -200,11 +204,7 @@ impl Autopilot {
                 htd.radius = radius.map(crate::units::Radius::nm);
                 htd.rate_of_turn = path.turn.and(rate_in_use);
                 htd.heading_to_steer = self.hts().map(crate::units::Heading::deg);
-                htd.track = Some(
-                    path.turn
-                        .map_or(path.course_in, |turn| turn.course_out)
-                        .deg(),
-                );
+                htd.track = Some(track.deg());
             }
         }
         htd.off_heading_limit = Some(settings.off_heading_limit);
@@ -241,6 +241,7 @@ impl Autopilot {
             .any(|port| port.profile == Profile::Gear && port.output);
         let (Some(order), true) = (self.rudder_order(), has_gear) else {
             self.rudder_error_since = None;
+            self.alerts.rectify(now, Alert::Rudder);
             return;
         };
         let Some(response) = response else {

@@ -100,6 +100,9 @@ pub(crate) trait Station {
 
     /// Acts on a sentence that the port may say; it stands in the picture already.
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>);
+
+    /// Notes a sentence that the port's policy does not accept.
+    fn refused(&mut self, _now: Stamp, _port: PortIndex, _sentence: &Sentence<'_>) {}
 }
 
 /// Takes bytes of a port.
@@ -149,5 +152,7 @@ fn take(
     });
     if accepted {
         station.heard(now, port, &sentence);
+    } else {
+        station.refused(now, port, &sentence);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{AlertView, ChartOwn, Own, Pending};
 use crate::alerts::Standing;
-use crate::autopilot::{Autopilot, Mode, ModeName};
+use crate::autopilot::{Autopilot, Mode};
 use crate::chart_system::ChartSystem;
 use crate::settings::SteeringBy;
 use crate::station::Profile;
@@ -20,7 +20,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         mode: autopilot.mode().name(),
         why: autopilot.why().to_string(),
         pending: autopilot.pending().map(|until| Pending {
-            request: ModeName::AutonavTi,
+            request: autopilot.pending_mode(now),
             until: until.0,
             waits_for: autopilot.waits_for(now),
         }),

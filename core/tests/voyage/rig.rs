@@ -171,6 +171,13 @@ impl Rig {
         self.carry();
     }
 
+    /// Says a line to the autopilot as it stands.
+    pub(crate) fn say_raw(&mut self, profile: Profile, line: &str) {
+        let bytes = format!("{line}\r\n").into_bytes();
+        self.tell_autopilot(profile, &bytes);
+        self.carry();
+    }
+
     pub(crate) fn run(&mut self, seconds: f64) {
         let end = self.now + (seconds * 1000.0) as u64;
         while self.now < end {

@@ -54,7 +54,10 @@ fn track_fail_says_what_steers_now() {
     rig.until("TRACK FAIL", 6.2, |rig| rig.raised(Alert::TrackFail));
     let says = |rig: &Rig, steering: &str| {
         let text = rig.text(Alert::TrackFail);
-        assert_eq!(text, format!("HTC missing: {steering}"));
+        assert_eq!(
+            text,
+            format!("chart system: HTC, XTE, PNEY missing: {steering}")
+        );
     };
     says(&rig, "AUTO steers, SWITCH TO AUTO");
     rig.command(Order::Acknowledge(101)).unwrap();

@@ -22,7 +22,9 @@ pub use path::{Part, Path, PathTurn, Progress};
 pub use settings::SteeringSettings;
 
 use crate::geo::Point;
-use crate::units::{Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, Speed, wrap_180};
+use crate::units::{
+    Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, Speed, Turn, wrap_180,
+};
 use core::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
@@ -166,6 +168,13 @@ impl Steering {
         self.rudder.engage(order_now.deg());
         self.law = None;
         self.cut = 0.0;
+    }
+
+    /// Another compass is read: its heading differs by `change` from the one before, and the ship has not turned (AP-9).
+    pub fn another_compass(&mut self, change: Turn) {
+        self.observer.turn_frame(change.rad());
+        self.reference.heading = wrap(self.reference.heading + change.rad());
+        self.rudder.join();
     }
 
     /// One control step of `dt` seconds.

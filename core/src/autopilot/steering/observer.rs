@@ -64,6 +64,12 @@ impl Observer {
         }
     }
 
+    /// The frame of the compass turned by `change` (rad), the ship did not.
+    pub(super) fn turn_frame(&mut self, change: f64) {
+        self.x[2] = wrap(self.x[2] + change);
+        self.jumped = 0.0;
+    }
+
     fn begin(&mut self, heading: f64, rate: f64) {
         let bias = self.x[4];
         self.x = [0.0, 0.0, heading, rate, bias];

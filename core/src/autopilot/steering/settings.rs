@@ -1,6 +1,6 @@
 //! What the steering laws know of the ship and how tightly they steer her.
 
-use crate::units::{RateOfTurn, RudderAngle, Speed};
+use crate::units::{Radius, RateOfTurn, RudderAngle, Speed};
 use serde::{Deserialize, Serialize};
 
 /// The ship as the laws see her, and the gains. The default is the Mariner at 15 knots.
@@ -68,6 +68,8 @@ pub struct SteeringSettings {
     pub cruise_speed: Speed,
     /// Speed below which gains rise no further.
     pub minimum_speed: Speed,
+    /// The constants are the ship's own, not scaled from her length and speed (AP-20).
+    pub known: bool,
 }
 
 impl Default for SteeringSettings {
@@ -102,6 +104,7 @@ impl Default for SteeringSettings {
             wave_frequency: 0.55,
             cruise_speed: Speed::from_knots(15.0),
             minimum_speed: Speed::from_knots(4.0),
+            known: true,
         }
     }
 }
@@ -132,6 +135,36 @@ impl SteeringSettings {
     #[must_use]
     pub fn forwarding_time(&self) -> f64 {
         0.5 * self.curvature_window + self.curvature_lead
+    }
+
+    /// The smallest radius that the ship can hold: with the whole rudder by her steady-turn curve, never less than her length.
+    #[must_use]
+    pub fn smallest_radius(&self) -> Radius {
+        let rate = self.tightest();
+        Radius::from_m(0.95 * self.length / rate)
+    }
+
+    /// The fastest rate of turn that the ship can hold at a speed.
+    #[must_use]
+    pub fn fastest_rate(&self, speed: Speed) -> RateOfTurn {
+        let speed = speed.mps().max(self.minimum_speed.mps());
+        RateOfTurn::from_rad_per_s(1.1 * self.tightest() * speed / self.length)
+    }
+
+    /// `r' = r L / U` with the whole rudder, at most 1: a circle of one length.
+    fn tightest(&self) -> f64 {
+        let [c0, c1, c3, c5] = self.steady_turn;
+        let rudder = |q: f64| libm::fabs(c0) + q * (c1 + q * q * (c3 + q * q * c5));
+        let (mut low, mut high) = (0.05, 1.0);
+        for _ in 0..20 {
+            let middle = 0.5 * (low + high);
+            if rudder(middle) < self.rudder_max.rad() {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
     }
 
     pub(super) fn at_speed(&self, speed: f64) -> Ship {

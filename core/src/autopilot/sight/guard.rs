@@ -20,7 +20,7 @@ const POSITION_JUMP_M: f64 = 185.2;
 
 /// Verdict on a heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum HeadingVerdict {
+pub(crate) enum HeadingVerdict {
     /// Use it.
     Good(Heading),
     /// It jumped: the prediction stands in.
@@ -31,7 +31,7 @@ pub(super) enum HeadingVerdict {
 
 /// Guards the heading in use.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct HeadingGuard {
+pub(crate) struct HeadingGuard {
     last: Option<(Heading, Stamp)>,
     rejecting: Option<Stamp>,
     /// The jumped source's own last reading and since when it has been steady.
@@ -41,7 +41,7 @@ pub(super) struct HeadingGuard {
 
 impl HeadingGuard {
     /// Judges a reading; `step` is the largest change that is believed beyond the turn made, degrees.
-    pub(super) fn judge(
+    pub(crate) fn judge(
         &mut self,
         now: Stamp,
         read: Heading,
@@ -88,16 +88,11 @@ impl HeadingGuard {
         }
         HeadingVerdict::Invalid
     }
-
-    /// Forgets everything; the next reading is believed.
-    pub(super) fn reset(&mut self) {
-        *self = Self::default();
-    }
 }
 
 /// Verdict on a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FixVerdict {
+pub(crate) enum FixVerdict {
     /// Taken.
     Taken,
     /// Off the dead reckoning and not used.
@@ -108,7 +103,7 @@ pub(super) enum FixVerdict {
 
 /// Keeps the dead reckoning and guards it against jumps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct PositionGuard {
+pub(crate) struct PositionGuard {
     plane: Option<Plane>,
     fix: Option<(Point, Stamp)>,
     rejects: u8,
@@ -118,13 +113,13 @@ pub(super) struct PositionGuard {
 impl PositionGuard {
     /// The plane in which points are given.
     #[must_use]
-    pub(super) fn plane(&self) -> Option<&Plane> {
+    pub(crate) fn plane(&self) -> Option<&Plane> {
         self.plane.as_ref()
     }
 
     /// Lays a new plane at the ship once she is `metres` from where it touches.
     /// Gives the old plane, for points that must be carried over.
-    pub(super) fn recentre(&mut self, metres: f64) -> Option<Plane> {
+    pub(crate) fn recentre(&mut self, metres: f64) -> Option<Plane> {
         let (old, (fix, at)) = (self.plane?, self.fix?);
         if fix.distance(Point::default()) < metres {
             return None;
@@ -137,13 +132,13 @@ impl PositionGuard {
 
     /// The last fix that was taken, unless it is too old.
     #[must_use]
-    pub(super) fn fix(&self, now: Stamp) -> Option<Point> {
+    pub(crate) fn fix(&self, now: Stamp) -> Option<Point> {
         let (fix, at) = self.fix?;
         (now.since(at) <= POSITION_BRIDGE_MS).then_some(fix)
     }
 
     /// Takes course and speed over ground.
-    pub(super) fn ground(&mut self, course: Option<Course>, speed: Speed) {
+    pub(crate) fn ground(&mut self, course: Option<Course>, speed: Speed) {
         let angle = course.map_or(0.0, Course::rad);
         self.velocity = (
             speed.mps() * libm::cos(angle),
@@ -152,7 +147,7 @@ impl PositionGuard {
     }
 
     /// Judges a new fix; `step` is the largest distance off the dead reckoning that is used, metres.
-    pub(super) fn judge(&mut self, at: Stamp, position: Position, step: f64) -> FixVerdict {
+    pub(crate) fn judge(&mut self, at: Stamp, position: Position, step: f64) -> FixVerdict {
         let Some(plane) = self.plane else {
             self.start(at, position);
             return FixVerdict::Taken;
@@ -178,7 +173,7 @@ impl PositionGuard {
 
     /// Where the ship is at `now`: the last fix carried on by the ground velocity, for at most 5 s.
     #[must_use]
-    pub(super) fn dead_reckoning(&self, now: Stamp) -> Option<Point> {
+    pub(crate) fn dead_reckoning(&self, now: Stamp) -> Option<Point> {
         let (fix, at) = self.fix?;
         let age = now.since(at);
         if age > POSITION_BRIDGE_MS {
@@ -189,7 +184,7 @@ impl PositionGuard {
 
     /// As `dead_reckoning`, for as long as a lost turn needs it (TCS-8).
     #[must_use]
-    pub(super) fn long_dead_reckoning(&self, now: Stamp) -> Option<Point> {
+    pub(crate) fn long_dead_reckoning(&self, now: Stamp) -> Option<Point> {
         let (fix, at) = self.fix?;
         Some(self.carried(fix, now.since(at)))
     }

@@ -1,14 +1,12 @@
 //! Selecting AutoNAV: both sides must agree within 20 s, and what each kind needs (AP-6, AP-7, FA14).
 
 use super::modes::Event;
-use super::steering::Path;
-use super::{Autopilot, CONFIRM_MS, Mode};
+use super::{Autopilot, CONFIRM_MS, Mode, ModeName};
 use crate::alerts::Alert;
-use crate::command::Refusal;
+use crate::command::{Refusal, Remote};
 use crate::limits::Quantity;
-use crate::nmea::{Htc, OverrideStatus, SteeringMode, TurnMode};
 use crate::time::Stamp;
-use crate::units::{Course, Heading, Radius, RateOfTurn};
+use crate::units::Radius;
 use alloc::string::{String, ToString};
 
 /// So many valid HTC in a row, within so long, before the first is obeyed (FA14).
@@ -22,6 +20,25 @@ pub(super) enum Wanted {
     Tn,
     /// Track control.
     Ti,
+}
+
+impl Wanted {
+    /// What a command asks for; absent where it asks for no control.
+    pub(super) const fn of(command: Remote) -> Option<Self> {
+        match command {
+            Remote::Heading { .. } => Some(Self::Tn),
+            Remote::Track { .. } => Some(Self::Ti),
+            Remote::Override | Remote::Stop(_) => None,
+        }
+    }
+
+    /// Its mode.
+    pub(super) const fn mode(self) -> ModeName {
+        match self {
+            Self::Tn => ModeName::AutonavTn,
+            Self::Ti => ModeName::AutonavTi,
+        }
+    }
 }
 
 impl Autopilot {
@@ -60,6 +77,12 @@ impl Autopilot {
         }
     }
 
+    /// What a pending selection will be; Ti until the chart system has said.
+    #[must_use]
+    pub fn pending_mode(&self, now: Stamp) -> ModeName {
+        self.wanted(now).unwrap_or(Wanted::Ti).mode()
+    }
+
     /// Engages a pending selection as soon as both sides agree, or lets it lapse.
     pub(super) fn try_engage(&mut self, now: Stamp) {
         let Some(until) = self.pending else {
@@ -75,9 +98,10 @@ impl Autopilot {
             self.why = "AutoNAV refused: not in the middle of a turn".into();
             return;
         }
-        let proven = self.commands.len() >= PROOFS
+        let proven = self.remote.proofs.len() >= PROOFS
             && self
-                .commands
+                .remote
+                .proofs
                 .front()
                 .is_some_and(|first| now.since(*first) <= PROOF_WINDOW_MS);
         let Some(wanted) = self
@@ -88,48 +112,35 @@ impl Autopilot {
         };
         if let Some(event) = self.engagement(now, wanted) {
             self.pending = None;
-            self.followed = now;
             self.alerts.rectify(now, Alert::TrackFail);
             let why = match wanted {
                 Wanted::Tn => "heading controlled by the chart system",
                 Wanted::Ti => "track controlled by the chart system",
             };
-            self.apply(now, &event, why);
+            self.engage(now, &event, why);
         }
     }
 
     /// Notes a valid command for the proof of life.
     pub(super) fn prove(&mut self, now: Stamp) {
-        self.commands.push_back(now);
-        while self.commands.len() > PROOFS {
-            self.commands.pop_front();
+        let proofs = &mut self.remote.proofs;
+        proofs.push_back(now);
+        while proofs.len() > PROOFS {
+            proofs.pop_front();
         }
     }
 
-    /// The last HTC that may be obeyed and is fresh.
-    pub(super) fn commanded(&self) -> Option<Htc> {
-        self.fresh(self.post.picture.htc.as_ref(), Quantity::Control)
-            .map(|commanded| commanded.htc)
-            .filter(|htc| htc.status.is_some() || self.settings.accept_null_status)
+    pub(super) fn wanted(&self, now: Stamp) -> Option<Wanted> {
+        Wanted::of(self.remote.command(now, self.fail_ms())?)
     }
 
-    pub(super) fn wanted(&self, _now: Stamp) -> Option<Wanted> {
-        match self.commanded()?.steering_mode? {
-            SteeringMode::HeadingControl => Some(Wanted::Tn),
-            SteeringMode::TrackControl => Some(Wanted::Ti),
-            SteeringMode::Manual | SteeringMode::StandAlone | SteeringMode::RudderControl => None,
-        }
-    }
-
-    pub(super) fn override_heard(&self, _now: Stamp) -> bool {
-        self.commanded()
-            .is_some_and(|htc| htc.override_status == Some(OverrideStatus::InUse))
+    pub(super) fn override_heard(&self, now: Stamp) -> bool {
+        self.remote.command(now, self.fail_ms()) == Some(Remote::Override)
     }
 
     /// Situations 3 and 4 cannot be entered (AP-6).
     fn in_foreign_turn(&self, now: Stamp) -> bool {
-        self.wanted(now) == Some(Wanted::Ti)
-            && self.commanded().is_some_and(|htc| htc.radius.is_some())
+        self.commanded_radius(now).is_some()
     }
 
     /// AP-7: the first thing that is missing.
@@ -145,17 +156,14 @@ impl Autopilot {
         {
             return Some("no measured speed");
         }
-        let Some(htc) = self.commanded() else {
+        if self.wanted(now) != Some(wanted) {
             return Some("no valid HTC");
-        };
-        if wanted == Wanted::Tn {
-            return htc
-                .heading_to_steer
-                .is_none()
-                .then_some("HTC has no heading to steer");
         }
-        if htc.track.is_none() {
-            return Some("HTC has no track");
+        if wanted == Wanted::Tn {
+            return None;
+        }
+        if !self.steering.settings().known {
+            return Some("the ship's constants are not given: no track control (AP-20)");
         }
         if self.position_guard.dead_reckoning(now).is_none()
             || self.fresh(picture.fix(now), Quantity::Position).is_none()
@@ -184,36 +192,23 @@ impl Autopilot {
         {
             return Some("no valid PNEY,002");
         }
+        if self.positions_agree().is_err() {
+            return Some("own and the chart system's position are too far apart");
+        }
         None
     }
 
     /// The transition to what the chart system asks for.
-    pub(super) fn engagement(&self, _now: Stamp, wanted: Wanted) -> Option<Event> {
-        let htc = self.commanded()?;
-        match wanted {
-            Wanted::Tn => {
-                let hts = Heading::from_deg(htc.heading_to_steer?);
-                let track = htc.track.map_or(hts.as_course(), Course::from_deg);
-                Some(Event::EngageTn {
-                    hts,
-                    track,
-                    rate: turn_rate(&htc),
-                })
+    pub(super) fn engagement(&self, now: Stamp, wanted: Wanted) -> Option<Event> {
+        match (wanted, self.remote.command(now, self.fail_ms())?) {
+            (Wanted::Tn, Remote::Heading { hts, track, rate }) => {
+                Some(Event::EngageTn { hts, track, rate })
             }
-            Wanted::Ti => {
-                let track = Course::from_deg(htc.track?);
-                let path = Path::leg(self.leg_point(track)?, track);
-                Some(Event::EngageTi {
-                    path,
-                    radius: Radius::from_nm(self.settings.set_radius),
-                })
-            }
+            (Wanted::Ti, Remote::Track { track, .. }) => Some(Event::EngageTi {
+                path: self.leg_line(track)?,
+                radius: Radius::from_nm(self.settings.set_radius),
+            }),
+            _ => None,
         }
     }
-}
-
-/// The rate that Tn commands: with turn mode T only (AP-3, TCS-7).
-pub(super) fn turn_rate(htc: &Htc) -> Option<RateOfTurn> {
-    (htc.turn_mode == Some(TurnMode::Rate)).then_some(())?;
-    htc.rate_of_turn.map(RateOfTurn::from_deg_per_min)
 }

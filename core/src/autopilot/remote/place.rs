@@ -1,0 +1,210 @@
+//! Where the commanded leg, centre and turn lie in the own plane (TCS-4, AP-16).
+
+use super::super::steering::Path;
+use super::super::{Autopilot, Mode};
+use crate::command;
+use crate::facts::Quantity;
+use crate::geo::{Point, Position};
+use crate::time::Stamp;
+use crate::units::{Course, METRES_PER_NAUTICAL_MILE, Radius};
+use alloc::format;
+use alloc::string::String;
+
+/// Time constant of the difference of the two positions, seconds.
+const OFFSET_TIME_S: f64 = 60.0;
+/// Own and chart system's position farther apart cannot be the same ship, metres.
+const POSITIONS_APART_M: f64 = 400.0;
+
+impl Autopilot {
+    /// The commanded centre in the own plane.
+    pub(super) fn centre(&self) -> Option<Point> {
+        let pney2 = self.fresh(self.post.picture.pney2.as_ref(), Quantity::Control)?;
+        self.own_point(pney2.centre?)
+    }
+
+    /// A place of the chart system's in the own plane, moved by the difference of the two positions.
+    fn own_point(&self, place: Position) -> Option<Point> {
+        let point = self.position_guard.plane()?.point(place);
+        let offset = self.remote.offset.unwrap_or_default();
+        Some(Point {
+            north: point.north + offset.north,
+            east: point.east + offset.east,
+        })
+    }
+
+    /// Cross-track distance for control, metres, ship right of the track positive.
+    pub(super) fn control_distance(&self) -> Option<f64> {
+        let heard = self.fresh(self.post.picture.pney1.as_ref(), Quantity::Control)?;
+        Some(heard.cross_track? * METRES_PER_NAUTICAL_MILE)
+    }
+
+    /// The ship as the chart system sees her, in the second of PNEY,001; the own place where it says none.
+    pub(super) fn charted(&self) -> Option<Point> {
+        let heard = self.post.picture.pney1.as_ref()?;
+        let fixes = &self.post.picture.fixes;
+        let charted = fixes.iter().find(|fix| {
+            fix.source.port == heard.source.port
+                && fix.at.since(heard.at).max(heard.at.since(fix.at)) <= 1_100
+        });
+        charted
+            .and_then(|fix| self.own_point(fix.value.position))
+            .or_else(|| self.position_guard.dead_reckoning(self.now))
+    }
+
+    /// Where the commanded leg passes: the chart system's position less its cross-track distance.
+    pub(in super::super) fn leg_line(&self, track: Course) -> Option<Path> {
+        let distance = self.control_distance()?;
+        let point = self.charted()?.towards(track.deg() + 90.0, -distance);
+        Some(Path::leg(point, track))
+    }
+
+    /// TCS-4: learns the difference between the own and the chart system's position.
+    pub(super) fn compare_positions(&mut self, now: Stamp) {
+        let picture = &self.post.picture;
+        let Some(port) = picture.pney1.as_ref().map(|heard| heard.source.port) else {
+            return;
+        };
+        let Some(own) = picture.fix(now) else {
+            return;
+        };
+        if own.source.port == port {
+            self.remote.offset = None;
+            return;
+        }
+        let charted = picture.fixes.iter().find(|fix| fix.source.port == port);
+        let Some(charted) = charted.filter(|fix| self.remote.compared.is_none_or(|at| fix.at > at))
+        else {
+            return;
+        };
+        let (Some(plane), Some(own)) = (
+            self.position_guard.plane(),
+            self.position_guard.dead_reckoning(charted.at),
+        ) else {
+            return;
+        };
+        let chart = plane.point(charted.value.position);
+        let apart = Point {
+            north: own.north - chart.north,
+            east: own.east - chart.east,
+        };
+        let since = self
+            .remote
+            .compared
+            .map_or(1_000, |at| charted.at.since(at));
+        self.remote.compared = Some(charted.at);
+        let share = (since as f64 / 1000.0 / OFFSET_TIME_S).min(1.0);
+        self.remote.offset = Some(match self.remote.offset {
+            Some(offset) => Point {
+                north: offset.north + share * (apart.north - offset.north),
+                east: offset.east + share * (apart.east - offset.east),
+            },
+            None => apart,
+        });
+    }
+
+    /// The two positions are those of one ship.
+    pub(in super::super) fn positions_agree(&self) -> Result<(), String> {
+        let offset = self.remote.offset.unwrap_or_default();
+        let apart = offset.distance(Point::default());
+        if apart > POSITIONS_APART_M {
+            return Err(format!(
+                "own and the chart system's position are {apart:.0} m apart"
+            ));
+        }
+        Ok(())
+    }
+
+    /// A turn that was commanded but never laid is finished from leg, radius and the time of wheel-over (TCS-8).
+    pub(super) fn lay_the_lost_turn(&mut self, now: Stamp) {
+        let Mode::AutonavTi { path, .. } = &self.mode else {
+            return;
+        };
+        let (path, fail) = (*path, self.fail_ms() + 1_000);
+        let Some(command::Remote::Track {
+            track,
+            radius: Some(radius),
+            ..
+        }) = self.remote.command(now, fail)
+        else {
+            return;
+        };
+        if path.turn.is_some() {
+            return;
+        }
+        let laid = self.turn_without_centre(&path, track, radius);
+        if let (
+            Some(turn),
+            Mode::AutonavTi {
+                path,
+                track: accepted,
+                ..
+            },
+        ) = (laid, &mut self.mode)
+        {
+            *path = turn;
+            *accepted = track;
+        }
+    }
+
+    /// The arc that begins one forwarding time after the radius was commanded.
+    pub(super) fn turn_without_centre(
+        &self,
+        path: &Path,
+        track: Course,
+        radius: Radius,
+    ) -> Option<Path> {
+        let (wheel_over, _) = self.remote.wheel_over?;
+        let turned = (track - path.course_in).deg();
+        if !(1.0..=175.0).contains(&libm::fabs(turned)) {
+            return None;
+        }
+        let seconds = (self.settings.forwarding_s)
+            .unwrap_or_else(|| self.steering.settings().forwarding_time());
+        let start =
+            nearest(path, wheel_over).towards(path.course_in.deg(), seconds * self.speed().mps());
+        let side = libm::copysign(1.0, turned);
+        let centre = start.towards(path.course_in.deg() + 90.0 * side, radius.m());
+        Some(Path::turn(path.course_in, centre, radius, track))
+    }
+
+    /// Lays the local plane anew where the ship is: at once outside track control, on very long legs in it.
+    pub(in super::super) fn recentre(&mut self) {
+        let metres = match &self.mode {
+            Mode::Auto {
+                finish: Some(_), ..
+            }
+            | Mode::AutonavTi {
+                path: Path { turn: Some(_), .. },
+                ..
+            } => return,
+            Mode::AutonavTi { .. } => 60_000.0,
+            _ => 10_000.0,
+        };
+        let Some(old) = self.position_guard.recentre(metres) else {
+            return;
+        };
+        let Some(new) = self.position_guard.plane().copied() else {
+            return;
+        };
+        let carry = |point: Point| new.point(old.position(point));
+        if let Mode::AutonavTi { path, .. } = &mut self.mode {
+            path.point = carry(path.point);
+        }
+        if let Some((_, point)) = &mut self.remote.leg {
+            *point = carry(*point);
+        }
+        if let Some((point, _)) = &mut self.remote.wheel_over {
+            *point = carry(*point);
+        }
+        if let Some(measured) = self.measured(self.now) {
+            self.steering.engage(self.order, &measured);
+        }
+    }
+}
+
+/// The point of a leg that is nearest to `point`.
+pub(super) fn nearest(leg: &Path, point: Point) -> Point {
+    let leg = Path::leg(leg.point, leg.course_in);
+    let along = leg.progress(point).along;
+    leg.point.towards(leg.course_in.deg(), along)
+}

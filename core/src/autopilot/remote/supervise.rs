@@ -1,0 +1,218 @@
+//! The ages of what the chart system says, TRACK FAIL, and what it calls itself (TCS-8 to TCS-10).
+
+use super::super::modes::{Cause, Event};
+use super::super::{Autopilot, Mode};
+use crate::alerts::{Alert, Standing, State};
+use crate::facts::Quantity;
+use crate::time::Stamp;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+/// A stop is the end of the route if the cross-track distances vanish within this time (TCS-10).
+pub(super) const STOP_CAUSE_MS: u64 = 1_500;
+/// Sentences that fail within so long of each other failed together, seconds.
+const TOGETHER_S: f64 = 1.2;
+/// Off the track for so long before the alarm.
+const OFF_TRACK_MS: u64 = 5_000;
+
+/// What is followed, and how old it is.
+struct Followed {
+    name: &'static str,
+    age: f64,
+}
+
+impl Autopilot {
+    /// Once a step: the pending selection, the ages of what is followed, the path.
+    pub(in super::super) fn supervise(&mut self, now: Stamp) {
+        self.try_engage(now);
+        self.name_stop(now);
+        let quiet = self.fail_ms();
+        if self.remote.other.is_none_or(|at| now.since(at) > quiet) {
+            self.alerts.rectify(now, Alert::HtcConflict);
+        }
+        self.compare_positions(now);
+        if !self.mode.is_autonav() {
+            self.alerts.rectify(now, Alert::TrackDataLate);
+            self.alerts.rectify(now, Alert::TrackDataRefused);
+            self.alerts.rectify(now, Alert::OffTrack);
+            self.captured = false;
+            self.off_track_since = None;
+            return;
+        }
+        let disagreement = self.agree(now).err();
+        if self.fail_if_old(now) {
+            return;
+        }
+        let refused = disagreement.or_else(|| self.refused_since(self.remote_heard()));
+        self.alerts.set(
+            now,
+            Alert::TrackDataRefused,
+            refused.is_some(),
+            &refused.unwrap_or_default(),
+        );
+        let late = self.oldest(now).age >= self.settings.track_caution;
+        let text = if late {
+            format!("{} late", self.names(now, self.settings.track_caution))
+        } else {
+            String::new()
+        };
+        self.alerts.set(now, Alert::TrackDataLate, late, &text);
+        self.watch_track(now);
+    }
+
+    /// When the last command was accepted.
+    fn remote_heard(&self) -> Stamp {
+        self.remote.command.map_or(Stamp(0), |(_, at)| at)
+    }
+
+    /// TRACK FAIL where the chart system controls and something that is followed is too old; whether it did.
+    pub(in super::super) fn fail_if_old(&mut self, now: Stamp) -> bool {
+        if !self.mode.is_autonav() || self.oldest(now).age < self.settings.track_fail {
+            return false;
+        }
+        let silent = self.names(now, self.settings.track_fail - TOGETHER_S);
+        let text = match self.refused_since(self.remote_heard()) {
+            Some(refused) if silent.starts_with("HTC") || silent == "agreement" => refused,
+            _ if silent == "agreement" => self.disagreement(now),
+            _ => format!("{silent} missing"),
+        };
+        self.track_fail(now, Cause::Missing(text.clone()), &text);
+        true
+    }
+
+    /// The names of everything older than `seconds`, in an officer's words.
+    fn names(&self, now: Stamp, seconds: f64) -> String {
+        let followed = self.followed(now);
+        let old: Vec<&str> = followed
+            .iter()
+            .filter(|item| item.age >= seconds && item.name != "agreement")
+            .map(|item| item.name)
+            .collect();
+        let sentences = ["HTC", "XTE", "PNEY,001", "PNEY,002"];
+        if old.is_empty() {
+            "agreement".into()
+        } else if sentences.iter().all(|name| old.contains(name)) {
+            "chart system: HTC, XTE, PNEY".into()
+        } else {
+            old.join(", ")
+        }
+    }
+
+    fn oldest(&self, now: Stamp) -> Followed {
+        let none = Followed {
+            name: "HTC",
+            age: 0.0,
+        };
+        self.followed(now).into_iter().fold(
+            none,
+            |oldest, item| if item.age > oldest.age { item } else { oldest },
+        )
+    }
+
+    /// What is followed. In Tn only HTC is supervised.
+    fn followed(&self, now: Stamp) -> Vec<Followed> {
+        let item = |name, at: Option<Stamp>| Followed {
+            name,
+            age: at.map_or(f64::MAX, |at| now.since(at) as f64 / 1000.0),
+        };
+        let heard = Some(self.remote_heard().min(now));
+        let mut list = alloc::vec![
+            item("HTC", heard),
+            item("agreement", Some(self.remote.agreed)),
+        ];
+        if matches!(self.mode, Mode::AutonavTi { .. }) {
+            let picture = &self.post.picture;
+            list.extend([
+                item("XTE", picture.xte.as_ref().map(|heard| heard.at)),
+                item("PNEY,001", picture.pney1.as_ref().map(|heard| heard.at)),
+                item("PNEY,002", picture.pney2.as_ref().map(|heard| heard.at)),
+                item("position", picture.fixes.iter().map(|fix| fix.at).max()),
+            ]);
+        }
+        list
+    }
+
+    /// TCS-10: without distances the stop was the end of the route.
+    pub(super) fn name_stop(&mut self, now: Stamp) {
+        let Some(until) = self.stop_cause_until else {
+            return;
+        };
+        let xte = self.fresh(self.post.picture.xte.as_ref(), Quantity::Control);
+        let pney1 = self.fresh(self.post.picture.pney1.as_ref(), Quantity::Control);
+        let ended = xte.is_some_and(|xte| xte.cross_track.is_none())
+            && pney1.is_some_and(|pney1| pney1.cross_track.is_none());
+        if ended {
+            self.why = "end of route".into();
+            self.alerts.retext(Alert::TrackFail, "end of route");
+        }
+        if ended || now >= until {
+            self.stop_cause_until = None;
+        }
+    }
+
+    /// TCS-8: TRACK FAIL, the prompt, and heading control at once.
+    pub(in super::super) fn track_fail(&mut self, now: Stamp, cause: Cause, text: &str) {
+        for alert in [
+            Alert::TrackDataLate,
+            Alert::TrackDataRefused,
+            Alert::NoDifferential,
+            Alert::OffTrack,
+        ] {
+            self.alerts.rectify(now, alert);
+        }
+        self.lay_the_lost_turn(now);
+        self.alerts.raise(now, Alert::TrackFail, text);
+        self.remote.proofs.clear();
+        self.apply(now, &Event::TrackFail(cause), text);
+    }
+
+    /// What an alert says. TRACK FAIL tells what steers now, so it changes with the mode.
+    #[must_use]
+    pub fn text_of(&self, standing: &Standing) -> String {
+        let steering = match &self.mode {
+            Mode::Auto {
+                finish: Some(_), ..
+            } => "AUTO finishes the turn, SWITCH TO AUTO",
+            Mode::Auto { .. } => "AUTO steers, SWITCH TO AUTO",
+            Mode::RudderHold { .. } => "rudder held, steer by hand",
+            Mode::Standby => "STANDBY, steer by hand",
+            Mode::AutonavTi { .. } | Mode::AutonavTn { .. } => "",
+        };
+        let text = standing.text();
+        let over = standing.state == State::RectifiedUnacknowledged;
+        if standing.alert != Alert::TrackFail || over || steering.is_empty() {
+            return text.to_string();
+        }
+        format!("{text}: {steering}")
+    }
+
+    /// MSC.74(69) A2 5.3.6: off the track by more than the corridor that HTC gives, or the setting.
+    fn watch_track(&mut self, now: Stamp) {
+        let limit = match self.remote.command(now, self.fail_ms()) {
+            Some(crate::command::Remote::Track {
+                off_track_limit: Some(limit),
+                ..
+            }) => limit.m(),
+            _ => self.settings.off_track_limit,
+        };
+        let off = (self.steered.as_ref())
+            .and_then(|steered| steered.cross_track)
+            .map(|off| libm::fabs(off.m()));
+        let outside = off.is_some_and(|off| off > limit);
+        self.captured |= off.is_some_and(|off| off < 0.5 * limit);
+        if !outside || !self.captured {
+            self.off_track_since = None;
+            self.alerts.rectify(now, Alert::OffTrack);
+            return;
+        }
+        let since = *self.off_track_since.get_or_insert(now);
+        if now.since(since) >= OFF_TRACK_MS {
+            let text = format!(
+                "{:.0} m off the track, the limit is {limit:.0} m: check track and speed",
+                off.unwrap_or_default()
+            );
+            self.alerts.raise(now, Alert::OffTrack, &text);
+        }
+    }
+}

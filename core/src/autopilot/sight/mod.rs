@@ -1,0 +1,239 @@
+//! What the sensors say, judged: heading, rate of turn, position, speeds (AP-9, FA7 to FA10).
+
+mod compass;
+mod guard;
+mod source;
+
+use super::modes::{Cause, Event};
+use super::steering::Measured;
+use super::{Autopilot, Mode};
+use crate::alerts::Alert;
+use crate::limits::{Quantity, limits};
+use crate::picture::{Heard, Source};
+use crate::time::Stamp;
+use crate::units::{Heading, RateOfTurn};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+pub(super) use compass::Compasses;
+use compass::{Doubt, Reading, Turning};
+use guard::FixVerdict;
+pub(super) use guard::PositionGuard;
+pub(super) use source::Preferred;
+
+/// Below this speed a course over ground says nothing of the heading, knots.
+const STEERING_KNOTS: f64 = 3.0;
+
+impl Autopilot {
+    /// A heard value that is fresh and was heard since the last stall.
+    pub(super) fn fresh<T: Clone>(
+        &self,
+        heard: Option<&Heard<T>>,
+        quantity: Quantity,
+    ) -> Option<T> {
+        self.post.fresh(heard, quantity, self.now)
+    }
+
+    /// Heading and rate of turn of this step (AP-9, FA7, FA8).
+    pub(super) fn look(&mut self, now: Stamp) {
+        let picture = &self.post.picture;
+        let rate = self.fresh(picture.rate(now), Quantity::RateOfTurn);
+        let ground = self.fresh(picture.ground(now), Quantity::Ground);
+        let turning = Turning {
+            rate: rate.unwrap_or(self.rate),
+            measured: rate.is_some(),
+            course: ground
+                .filter(|ground| ground.speed.knots() > STEERING_KNOTS)
+                .and_then(|ground| ground.course),
+            dt: self.step_ms() as f64 / 1000.0,
+        };
+        let readings: Vec<_> = picture
+            .headings
+            .iter()
+            .filter_map(|heard| {
+                Some(Reading {
+                    source: &heard.source,
+                    rank: picture.rank(&heard.source),
+                    said: self.fresh(Some(heard), Quantity::Heading)?,
+                    age: now.since(heard.at) as f64 / 1000.0,
+                })
+            })
+            .collect();
+        let heard = !readings.is_empty();
+        let (before, source) = (self.heading, self.compasses.in_use().cloned());
+        let free = self.mode == Mode::Standby;
+        let jump = self.settings.heading_jump;
+        self.heading = self.compasses.look(now, &readings, turning, jump, free);
+        self.rate =
+            rate.unwrap_or_else(|| derived_rate(before, self.heading, self.rate, self.step_ms()));
+        let changed = source.is_some() && self.compasses.in_use() != source.as_ref();
+        if let (true, Some(before), Some(after)) = (changed, before, self.heading) {
+            // AP-9: another compass is no turn of the ship.
+            self.steering.another_compass(after - before);
+        }
+        self.say_what_compasses_do(now);
+        if self.heading.is_none()
+            && !self.recovers(now)
+            && self.mode != Mode::Standby
+            && !matches!(self.mode, Mode::RudderHold { .. })
+        {
+            let why = if heard {
+                "the heading jumped"
+            } else {
+                "no heading for 2 s"
+            };
+            self.alerts.raise(now, Alert::HeadingLost, "");
+            self.pending = None;
+            self.apply(now, &Event::HeadingLost, &format!("{why}: rudder held"));
+        }
+        if self.heading.is_some() && !matches!(self.mode, Mode::RudderHold { .. }) {
+            self.alerts.rectify(now, Alert::HeadingLost);
+        }
+        self.read_position(now);
+    }
+
+    fn say_what_compasses_do(&mut self, now: Stamp) {
+        let name = |source: &Source| self.post.picture.source_name(source);
+        let list = |doubt: Doubt| {
+            let doubted = self.compasses.doubted().filter(|(_, why)| *why == doubt);
+            doubted
+                .map(|(source, _)| name(source))
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let (jumped, stuck) = (list(Doubt::Jumped), list(Doubt::Stuck));
+        let fallen = self.compasses.fallen_from().map(name);
+        let used = self.compasses.in_use().map(name).unwrap_or_default();
+        let text = |what: &str| format!("The heading of {what} is not used: check the compass");
+        self.alerts
+            .set(now, Alert::HeadingJump, !jumped.is_empty(), &text(&jumped));
+        self.alerts
+            .set(now, Alert::HeadingStuck, !stuck.is_empty(), &text(&stuck));
+        let left = fallen.as_ref().map_or_else(String::new, |left| {
+            format!("Heading from {used} instead of {left}")
+        });
+        self.alerts
+            .set(now, Alert::HeadingSource, fallen.is_some(), &left);
+    }
+
+    /// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
+    fn recovers(&self, now: Stamp) -> bool {
+        let (_, lost) = limits(Quantity::Heading);
+        self.post
+            .stalled_at()
+            .is_some_and(|after| now.since(after) <= lost)
+    }
+
+    pub(super) fn read_position(&mut self, now: Stamp) {
+        if let Some(ground) = self.fresh(self.post.picture.ground(now), Quantity::Ground) {
+            self.position_guard.ground(ground.course, ground.speed);
+        }
+        let heard = self.post.picture.fix(now);
+        let new = heard.filter(|fix| self.last_fix.is_none_or(|last| fix.at > last));
+        let new = new.map(|fix| (fix.at, fix.value));
+        if let Some((at, fix)) = new {
+            self.last_fix = Some(at);
+            let verdict = self
+                .position_guard
+                .judge(at, fix.position, self.settings.position_jump);
+            self.alerts
+                .set(now, Alert::PositionJump, verdict != FixVerdict::Taken, "");
+            let engaged = self.mode.is_autonav();
+            self.alerts
+                .set(now, Alert::NoDifferential, engaged && !fix.corrected(), "");
+            if verdict == FixVerdict::Jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
+                self.track_fail(now, Cause::PositionJump, "the position jumped");
+            }
+        }
+        self.recentre();
+        self.watch_sources(now);
+        let speed = self
+            .fresh(self.post.picture.ground(now), Quantity::Ground)
+            .is_some()
+            || self
+                .fresh(self.post.picture.water_speed(now), Quantity::WaterSpeed)
+                .is_some();
+        self.alerts.set(
+            now,
+            Alert::SpeedLost,
+            !speed && self.mode != Mode::Standby,
+            "",
+        );
+    }
+
+    /// AP-9: a change of source that nobody ordered is said, until the better one is back.
+    fn watch_sources(&mut self, now: Stamp) {
+        let picture = &self.post.picture;
+        let of =
+            |heard: Option<&Source>| heard.map(|source| (source.clone(), picture.rank(source)));
+        let position = picture
+            .fix(now)
+            .filter(|h| h.usable(Quantity::Position, now).is_some());
+        let ground = picture
+            .ground(now)
+            .filter(|h| h.usable(Quantity::Ground, now).is_some());
+        let water = picture
+            .water_speed(now)
+            .filter(|h| h.usable(Quantity::WaterSpeed, now).is_some());
+        let now_used = [
+            of(position.map(|heard| &heard.source)),
+            of(ground.map(|heard| &heard.source)),
+            of(water.map(|heard| &heard.source)),
+        ];
+        let free = self.mode == Mode::Standby;
+        for (index, used) in now_used.into_iter().enumerate() {
+            self.preferred[index].watch(now, used, free);
+        }
+        let say = |index: usize, what: &str| {
+            let (left, used) = self.preferred[index].fallen()?;
+            let used = used.map_or("nothing".into(), |used| picture.source_name(used));
+            Some(format!(
+                "{what} from {used} instead of {}",
+                picture.source_name(left)
+            ))
+        };
+        let position = say(0, "Position");
+        let speed = [say(1, "Speed over ground"), say(2, "Water speed")];
+        let speed: Vec<String> = speed.into_iter().flatten().collect();
+        self.alerts.set(
+            now,
+            Alert::PositionSource,
+            position.is_some(),
+            &position.unwrap_or_default(),
+        );
+        self.alerts.set(
+            now,
+            Alert::SpeedSource,
+            !speed.is_empty(),
+            &speed.join("; "),
+        );
+    }
+
+    pub(super) fn measured(&self, now: Stamp) -> Option<Measured> {
+        let ground = self.fresh(self.post.picture.ground(now), Quantity::Ground);
+        Some(Measured {
+            heading: self.heading?,
+            rate: self.rate,
+            rudder: self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder),
+            water_speed: Some(self.speed()),
+            ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
+            position: self.position_guard.fix(now),
+        })
+    }
+}
+
+/// Rate of turn from the heading where no sensor gives it, smoothed over about 3 s.
+fn derived_rate(
+    before: Option<Heading>,
+    now: Option<Heading>,
+    rate: RateOfTurn,
+    step_ms: u64,
+) -> RateOfTurn {
+    let (Some(before), Some(now)) = (before, now) else {
+        return RateOfTurn::default();
+    };
+    let dt = step_ms as f64 / 1000.0;
+    let raw = (now - before).deg() / dt * 60.0;
+    let share = dt / 3.0;
+    RateOfTurn::from_deg_per_min(rate.deg_per_min() + share * (raw - rate.deg_per_min()))
+}
