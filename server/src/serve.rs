@@ -129,7 +129,7 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
     let parts = Parts {
         voyage,
         ship: config.map_or_else(Outline::default, |config| Outline {
-            length_m: config.ship.length_m,
+            length_m: config.ship.length(),
             beam_m: config.ship.beam_m,
         }),
         rules: config.map_or_else(Rules::default, Config::rules),

@@ -14,7 +14,7 @@ use wheelover_tests::program::Program;
 /// A configuration of the autopilot with these ports in a folder; gives the file's name.
 fn autopilot(folder: &Path, ports: &[&str], allow_output: bool) -> String {
     let mut text = format!(
-        "roles = [\"autopilot\"]\nallow_output = {allow_output}\n[autopilot]\nrudder_slew = 5.0\n"
+        "roles = [\"autopilot\"]\nallow_output = {allow_output}\n[ship]\nmodel = \"mariner\"\n[autopilot]\nrudder_slew = 5.0\nexternal_tcs = true\n"
     );
     for port in ports {
         text += &format!(

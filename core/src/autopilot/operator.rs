@@ -60,6 +60,7 @@ impl Autopilot {
             Order::Setting { key, value } => {
                 self.settings.set(key, value).map_err(Refusal::because)?;
                 let ship = self.steering.settings_mut();
+                *ship = ship.clone().given(&self.settings);
                 ship.slew = self.settings.rudder_slew;
                 ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);
                 Ok(format!("{key} is {value}"))

@@ -103,7 +103,7 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
     let ship = form.ship.into_inner();
     let route = match form.route {
         None => None,
-        Some(written) => Some(planned(written, folder, ship.speed_kn)?),
+        Some(written) => Some(planned(written, folder, ship.speed())?),
     };
     Ok(Config {
         roles,
@@ -154,10 +154,11 @@ fn settings(
             .map_err(|text| (value.span(), text))?;
     }
     let fixed = ship.get_ref();
-    for (name, value) in [
+    let gear = [
         ("rudder_max", fixed.rudder_max_deg),
         ("rudder_slew", fixed.rudder_slew_deg_s),
-    ] {
+    ];
+    for (name, value) in gear.into_iter().chain(fixed.constants()) {
         if let Some(value) = value {
             settings
                 .set(name, &Value::Number(value))

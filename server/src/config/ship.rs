@@ -6,10 +6,10 @@ use serde::Deserialize;
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct Ship {
-    /// Hull of the world station.
-    pub(crate) model: Model,
+    /// A named ship: her constants, and the hull of the world station; none: her own constants below (AP-20).
+    pub(crate) model: Option<Model>,
     /// Length, metres.
-    pub(crate) length_m: f64,
+    pub(crate) length_m: Option<f64>,
     /// Beam, metres.
     pub(crate) beam_m: f64,
     /// Antenna of the position receiver forward of midships, metres.
@@ -32,8 +32,16 @@ pub(crate) struct Ship {
     pub(crate) start_lon: Option<f64>,
     /// Heading at the start, degrees; none: the first leg's course.
     pub(crate) start_heading: Option<f64>,
-    /// Speed of the world station's ship, knots.
-    pub(crate) speed_kn: f64,
+    /// Nomoto gain at `speed_kn`, 1/s.
+    pub(crate) gain_per_s: Option<f64>,
+    /// Nomoto time constant at `speed_kn`, s.
+    pub(crate) time_constant_s: Option<f64>,
+    /// Steady turn, rudder (rad) over r' = r L / U: constant, r', r'^3, r'^5.
+    pub(crate) steady_turn: Option<[f64; 4]>,
+    /// Time from wheel-over to the start of the arc that the chart system is set to, s.
+    pub(crate) forwarding_s: Option<f64>,
+    /// Speed of her constants, and of the world station's ship, knots.
+    pub(crate) speed_kn: Option<f64>,
     /// Direction towards which the current of the world station sets, degrees.
     pub(crate) current_set: f64,
     /// Its speed, knots.
@@ -52,8 +60,8 @@ pub(crate) enum Model {
 impl Default for Ship {
     fn default() -> Self {
         Self {
-            model: Model::Mariner,
-            length_m: 160.93,
+            model: None,
+            length_m: None,
             beam_m: 23.17,
             antenna_forward_m: 0.0,
             antenna_starboard_m: 0.0,
@@ -65,7 +73,11 @@ impl Default for Ship {
             start_lat: None,
             start_lon: None,
             start_heading: None,
-            speed_kn: 15.0,
+            gain_per_s: None,
+            time_constant_s: None,
+            steady_turn: None,
+            forwarding_s: None,
+            speed_kn: None,
             current_set: 0.0,
             current_drift_kn: 0.0,
         }
@@ -73,11 +85,37 @@ impl Default for Ship {
 }
 
 impl Ship {
+    /// Length that is drawn, metres.
+    pub(crate) fn length(&self) -> f64 {
+        self.length_m.unwrap_or(160.93)
+    }
+
+    /// Speed of her constants, and of the world station's ship, knots.
+    pub(crate) fn speed(&self) -> f64 {
+        self.speed_kn.unwrap_or(15.0)
+    }
+
+    /// Her constants by the names of the settings table (AP-20).
+    pub(super) fn constants(&self) -> [(&'static str, Option<f64>); 9] {
+        let turn = |index: usize| self.steady_turn.map(|curve| curve[index]);
+        [
+            ("length_m", self.length_m),
+            ("speed_kn", self.speed_kn),
+            ("gain_per_s", self.gain_per_s),
+            ("time_constant_s", self.time_constant_s),
+            ("steady_turn_0", turn(0)),
+            ("steady_turn_1", turn(1)),
+            ("steady_turn_3", turn(2)),
+            ("steady_turn_5", turn(3)),
+            ("forwarding_s", self.forwarding_s),
+        ]
+    }
+
     /// Values that no ship has are refused, by name and with what is allowed.
     pub(super) fn check(&self) -> Result<(), String> {
         let offset = -400.0..=400.0;
         let ranges = [
-            ("length_m", Some(self.length_m), 5.0..=460.0),
+            ("length_m", self.length_m, 5.0..=460.0),
             ("beam_m", Some(self.beam_m), 1.0..=80.0),
             (
                 "antenna_forward_m",
@@ -103,7 +141,7 @@ impl Ship {
             ("start_lat", self.start_lat, -85.0..=85.0),
             ("start_lon", self.start_lon, -180.0..=180.0),
             ("start_heading", self.start_heading, 0.0..=360.0),
-            ("speed_kn", Some(self.speed_kn), 1.0..=40.0),
+            ("speed_kn", self.speed_kn, 1.0..=40.0),
             ("current_set", Some(self.current_set), 0.0..=360.0),
             ("current_drift_kn", Some(self.current_drift_kn), 0.0..=10.0),
         ];

@@ -60,9 +60,12 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
 
 fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
     let ship = &config.ship;
-    writeln!(out, "\n[ship]\nmodel = \"mariner\"")?;
+    writeln!(out, "\n[ship]")?;
+    if ship.model.is_some() {
+        writeln!(out, "model = \"mariner\"")?;
+    }
     for (name, value) in [
-        ("length_m", Some(ship.length_m)),
+        ("length_m", ship.length_m),
         ("beam_m", Some(ship.beam_m)),
         ("antenna_forward_m", Some(ship.antenna_forward_m)),
         ("antenna_starboard_m", Some(ship.antenna_starboard_m)),
@@ -74,7 +77,10 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
         ("start_lat", ship.start_lat),
         ("start_lon", ship.start_lon),
         ("start_heading", ship.start_heading),
-        ("speed_kn", Some(ship.speed_kn)),
+        ("gain_per_s", ship.gain_per_s),
+        ("time_constant_s", ship.time_constant_s),
+        ("forwarding_s", ship.forwarding_s),
+        ("speed_kn", ship.speed_kn),
         ("current_set", Some(ship.current_set)),
         ("current_drift_kn", Some(ship.current_drift_kn)),
     ] {

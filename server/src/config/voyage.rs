@@ -5,6 +5,7 @@ use wheelover_core::autopilot::steering::SteeringSettings;
 use wheelover_core::chart_system::ChartConfig;
 use wheelover_core::route::{embedded, embedded_start};
 use wheelover_core::station::PortSetup;
+use wheelover_core::station::Role;
 use wheelover_core::units::{Course, Heading, Speed};
 use wheelover_core::voyage::{Voyage, VoyageConfig};
 use wheelover_core::world::WorldConfig;
@@ -33,10 +34,20 @@ impl Config {
             roles: self.roles.clone(),
             ports: ports.collect(),
             settings: self.settings.clone(),
-            ship: SteeringSettings::default(),
+            ship: self.steering(),
             chart,
             world: self.world(),
         })
+    }
+
+    /// AP-20: the constants of the named ship, else those that were given, else cautious ones.
+    fn steering(&self) -> SteeringSettings {
+        let named = self.ship.model.is_some() || self.roles.contains(&Role::World);
+        if named {
+            SteeringSettings::default()
+        } else {
+            SteeringSettings::cautious(&self.settings)
+        }
     }
 
     /// The simulated ship: where she is told to be, else at the beginning of the route.
@@ -60,7 +71,7 @@ impl Config {
         WorldConfig {
             start,
             heading,
-            speed: Speed::from_knots(ship.speed_kn),
+            speed: Speed::from_knots(ship.speed()),
             current_set: Course::from_deg(ship.current_set),
             current_drift: Speed::from_knots(ship.current_drift_kn),
             ..WorldConfig::default()

@@ -89,6 +89,8 @@ impl Autopilot {
         if self.heading.is_some() && !matches!(self.mode, Mode::RudderHold { .. }) {
             self.alerts.rectify(now, Alert::HeadingLost);
         }
+        let unknown = !self.steering.settings().known;
+        self.alerts.set(now, Alert::ShipUnknown, unknown, "");
         self.read_position(now);
     }
 

@@ -16,6 +16,7 @@ mod observer;
 mod path;
 mod rudder;
 mod settings;
+mod ship;
 mod track;
 
 pub use path::{Part, Path, PathTurn, Progress};

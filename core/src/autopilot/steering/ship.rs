@@ -1,0 +1,123 @@
+//! The ship's constants as they were given, and cautious ones where nobody gave them (AP-20).
+//!
+//! Everything that a ship does in time scales with `L/U`, her rate of turn with `U/L` (Nomoto 1957: `K' = K L/U`,
+//! `T' = T U/L`). Gain and time constant, where given, replace the scaled ones; without a steady-turn curve it is the
+//! straight line `delta = r'/K'`.
+
+use super::settings::SteeringSettings;
+use crate::settings::Settings;
+use crate::units::{RateOfTurn, Speed};
+
+/// Length and speed where nobody gave them.
+const LENGTH_M: f64 = 100.0;
+const SPEED_KN: f64 = 12.0;
+/// Cautious: the ship is thought to answer the rudder better than most, so that the gains stay low.
+const CAUTIOUS_GAIN: f64 = 1.3;
+const CAUTIOUS_FREQUENCY: f64 = 0.7;
+
+impl SteeringSettings {
+    /// A ship of whom length and speed are known at best; what else is given in the settings is taken from there.
+    #[must_use]
+    pub fn cautious(settings: &Settings) -> Self {
+        let like = Self::default();
+        let length = settings.length_m.unwrap_or(LENGTH_M);
+        let speed = Speed::from_knots(settings.speed_kn.unwrap_or(SPEED_KN));
+        let time = (length / speed.mps()) / (like.length / like.reference_speed.mps());
+        let gain = CAUTIOUS_GAIN * like.gain / time;
+        let scaled = Self {
+            length,
+            reference_speed: speed,
+            gain,
+            time_constant: like.time_constant * time,
+            steady_turn: straight(gain, length, speed),
+            quick_share: 0.0,
+            quick_time: like.quick_time * time,
+            sway: like.sway * length / like.length,
+            sway_lag: like.sway_lag * time,
+            natural_frequency: CAUTIOUS_FREQUENCY * like.natural_frequency / time,
+            look_ahead: like.look_ahead * time,
+            curvature_window: like.curvature_window * time,
+            free_rate: RateOfTurn::from_deg_per_min(like.free_rate.deg_per_min() / time),
+            turn_acceleration: like.turn_acceleration / (time * time),
+            yaw_disturbance: like.yaw_disturbance / (time * libm::sqrt(time)),
+            cruise_speed: speed,
+            known: false,
+            ..like
+        };
+        scaled.given(settings)
+    }
+
+    /// With the constants that are given in the settings.
+    #[must_use]
+    pub fn given(mut self, settings: &Settings) -> Self {
+        let (Some(gain), Some(time_constant)) = (settings.gain_per_s, settings.time_constant_s)
+        else {
+            return self;
+        };
+        if !self.known {
+            self.natural_frequency /= CAUTIOUS_FREQUENCY;
+        }
+        self.gain = gain;
+        self.time_constant = time_constant;
+        self.quick_share = 0.0;
+        self.known = true;
+        self.steady_turn = match (
+            settings.steady_turn_0,
+            settings.steady_turn_1,
+            settings.steady_turn_3,
+            settings.steady_turn_5,
+        ) {
+            (c0, Some(c1), c3, c5) => [
+                c0.unwrap_or_default(),
+                c1,
+                c3.unwrap_or_default(),
+                c5.unwrap_or_default(),
+            ],
+            _ => straight(gain, self.length, self.reference_speed),
+        };
+        self
+    }
+}
+
+/// The steady turn of a first-order ship.
+fn straight(gain: f64, length: f64, speed: Speed) -> [f64; 4] {
+    [0.0, speed.mps() / (gain * length), 0.0, 0.0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // AP-20
+    #[test]
+    fn a_ship_of_the_same_length_and_speed_has_the_same_times() {
+        let settings = Settings {
+            length_m: Some(160.93),
+            speed_kn: Some(15.0),
+            ..Settings::default()
+        };
+        let cautious = SteeringSettings::cautious(&settings);
+        let like = SteeringSettings::default();
+        assert!(!cautious.known);
+        assert!((cautious.time_constant - like.time_constant).abs() < 1e-9);
+        assert!((cautious.look_ahead - like.look_ahead).abs() < 1e-9);
+        assert!(cautious.natural_frequency < like.natural_frequency);
+    }
+
+    #[test]
+    fn given_constants_make_a_known_ship() {
+        let mut settings = Settings {
+            gain_per_s: Some(0.1),
+            ..Settings::default()
+        };
+        assert!(
+            !SteeringSettings::cautious(&settings).known,
+            "one is not enough"
+        );
+        settings.time_constant_s = Some(60.0);
+        let given = SteeringSettings::cautious(&settings);
+        assert!(given.known);
+        assert_eq!((given.gain, given.time_constant), (0.1, 60.0));
+        assert!(given.smallest_radius().m() >= 0.9 * given.length);
+    }
+}
