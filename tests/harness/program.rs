@@ -43,6 +43,8 @@ pub struct Program {
     child: Child,
     /// Where its page is.
     pub address: SocketAddr,
+    /// What it said before its address, on either output.
+    early: std::cell::RefCell<Vec<String>>,
     said: Receiver<String>,
 }
 
@@ -102,6 +104,7 @@ impl Program {
                 return Self {
                     child,
                     address,
+                    early: std::cell::RefCell::new(all),
                     said,
                 };
             }
@@ -130,10 +133,12 @@ impl Program {
         line.split_whitespace().nth(1).unwrap().parse().unwrap()
     }
 
-    /// What it said after it began.
+    /// What it has said since this was last asked.
     #[must_use]
     pub fn said(&self) -> Vec<String> {
-        self.said.try_iter().collect()
+        let mut said = self.early.take();
+        said.extend(self.said.try_iter());
+        said
     }
 
     /// Asks it to end, as a service manager does, and waits.
@@ -173,7 +178,9 @@ impl Program {
     /// Every further line that it says until it is gone.
     #[must_use]
     pub fn last_words(&self) -> Vec<String> {
-        self.said.iter().collect()
+        let mut said = self.early.take();
+        said.extend(self.said.iter());
+        said
     }
 }
 
