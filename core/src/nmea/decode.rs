@@ -2,6 +2,7 @@
 //!
 //! **Invariant:** decoding never fails and never panics; nothing is allocated where nothing is wrong.
 
+use super::checksum::Checksum;
 use super::fault::{Fault, FaultKind};
 use super::known::{Known, Whole, identify, text_of};
 use super::read::{read, read_here};
@@ -11,42 +12,6 @@ use super::tag::TagBlock;
 use super::value::{Value, hex_byte, hex_digits};
 use super::view::group_count;
 use alloc::vec::Vec;
-
-/// What the checksum of a line says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Checksum {
-    /// It is right.
-    Right(u8),
-    /// It differs.
-    Wrong {
-        /// What stands there; none where it cannot be read.
-        given: Option<u8>,
-        /// What it should be.
-        computed: u8,
-    },
-    /// There is none.
-    Missing {
-        /// What it should be.
-        computed: u8,
-    },
-}
-
-impl Checksum {
-    /// Whether it stands there and is right.
-    #[must_use]
-    pub const fn is_right(self) -> bool {
-        matches!(self, Self::Right(_))
-    }
-    /// What it is or should be.
-    #[must_use]
-    pub const fn computed(self) -> u8 {
-        match self {
-            Self::Right(computed) | Self::Wrong { computed, .. } | Self::Missing { computed } => {
-                computed
-            }
-        }
-    }
-}
 
 /// A decoded line: its parts, borrowed from it.
 #[derive(Clone, Debug)]

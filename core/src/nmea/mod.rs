@@ -39,6 +39,7 @@
 pub mod ais;
 mod angles;
 mod assemble;
+mod checksum;
 mod codes;
 mod decimal;
 mod decode;
@@ -68,10 +69,11 @@ mod view;
 mod tests;
 
 pub use assemble::{Assembler, Message};
+pub use checksum::Checksum;
 pub use codes::*;
 pub use decimal::Decimal;
 pub(crate) use decode::decode_knowing;
-pub use decode::{Checksum, Item, Sentence, decode};
+pub use decode::{Item, Sentence, decode};
 pub(crate) use ear::Ear;
 pub use encode::with_checksum;
 pub use explain::explain;
