@@ -218,7 +218,7 @@ impl ChartSystem {
         self.route.as_ref()
     }
 
-    /// Number of the document that [`Self::document`] gives.
+    /// Raised on every change of the route.
     #[must_use]
     pub const fn revision(&self) -> u64 {
         self.revision

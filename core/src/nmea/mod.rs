@@ -13,7 +13,7 @@
 //! | sentences of one message | the message | [`Assembler`] |
 //! | a typed view | a line | its `line` |
 //! | a sentence | the same line | [`encode`], [`Values`] |
-//! | an HTC | a command, or why not | [`steering`] |
+//! | an HTC | a command, or why not | [`crate::command::htc()`] |
 //!
 //! ```
 //! use wheelover_core::nmea::{decode, Framer, Hdt, Rot};

@@ -21,6 +21,8 @@ pub(super) struct PortForm {
     baud: Option<Spanned<u32>>,
     profile: Spanned<Profile>,
     checksum: Option<Spanned<ChecksumPolicy>>,
+    /// An HTC with null status commands (HTC 14).
+    pub(super) null_status: Option<Spanned<bool>>,
     #[serde(default)]
     output: Option<Spanned<bool>>,
 }
@@ -80,6 +82,12 @@ pub(super) fn port(
         }
         Some(policy) => policy.into_inner(),
     };
+    if let (Some(written), true) = (&form.null_status, profile != Profile::Ecdis) {
+        let text = format!(
+            "null_status on port \"{name}\"; allowed is it on a port of the profile \"ecdis\" only"
+        );
+        return Err((written.span(), text));
+    }
     let output = form.output.is_some_and(Spanned::into_inner);
     let receives_only = match &place {
         Place::File(_) => Some("a file is only read"),

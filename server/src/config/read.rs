@@ -85,11 +85,14 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
         None => SocketAddr::from(([127, 0, 0, 1], 8080)),
         Some(text) => socket("listen", &text)?,
     };
-    let settings = settings(form.autopilot, &form.ship)?;
+    let mut settings = settings(form.autopilot, &form.ship)?;
     let mut ports: Vec<Port> = Vec::new();
     let mut spans = Vec::new();
     for written in form.port {
         spans.push(written.span());
+        if let Some(accepted) = &written.get_ref().null_status {
+            settings.accept_null_status = *accepted.get_ref(); // HTC 14: one chart system a station
+        }
         let span = written.span();
         ports.push(port(written.into_inner(), span, &roles, folder, &ports)?);
     }

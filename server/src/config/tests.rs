@@ -174,3 +174,19 @@ fn what_is_in_force_reads_back_the_same() {
     assert_eq!(first, again);
     assert!(first.contains("rudder_limit = 12.0"));
 }
+
+// HTC 14
+#[test]
+fn a_port_says_whether_a_null_status_commands() {
+    let port = |profile: &str, null: &str| {
+        format!(
+            "roles = [\"autopilot\"]\n[[port]]\nname = \"a\"\nkind = \"udp\"\naddress = \"127.0.0.1:1\"\nprofile = \"{profile}\"\n{null}\n"
+        )
+    };
+    let accepts = |text: &str| {
+        from_text("w.toml", text, None).map(|config| config.settings.accept_null_status)
+    };
+    assert!(accepts(&port("ecdis", "")).unwrap());
+    assert!(!accepts(&port("ecdis", "null_status = false")).unwrap());
+    assert!(accepts(&port("gyro1", "null_status = false")).is_err());
+}
