@@ -25,6 +25,8 @@ globalThis.wheeloverLink = link;
 
 const [module] = await Promise.all([WebAssembly.compileStreaming(fetch("{{wasm}}")), greeted]);
 await init({ module_or_path: module });
+// The style of the views that are fetched later.
+document.head.append(Object.assign(document.createElement("link"), { rel: "stylesheet", href: "{{talk}}" }));
 if ("serviceWorker" in navigator) {
   // The page lives without it: a certificate that was clicked through forbids it.
   navigator.serviceWorker.register("/sw.js").catch(() => {});

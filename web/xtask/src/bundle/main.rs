@@ -143,7 +143,7 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
         Ok(())
     };
     let decoder = text(&fixed.join("decoder.html"))?
-        .replace("{{style}}", &style(&fixed)?)
+        .replace("{{style}}", &style(&fixed, &["page.css", "sizes.css", "talk.css"])?)
         .replace("{{palette}}", &text(&fixed.join("palette.js"))?)
         .replace("{{script}}", &whole.script)
         .replace("{{wasm}}", &base64(&whole.wasm))
@@ -169,6 +169,7 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
     // Fetched later, so not part of the first load.
     let dictionary_wasm = later("dictionary", "wasm", &dictionary.wasm)?;
     let dictionary_script = later("dictionary", "js", dictionary.script.as_bytes())?;
+    let talk_style = later("talk", "css", style(&fixed, &["talk.css"])?.as_bytes())?;
     let mut parts = Vec::new();
     for (_, content) in pages.cut.iter().flat_map(|(_, cut)| &cut.parts) {
         let name = format!("assets/{}", Cut::laid(content));
@@ -179,9 +180,10 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
         .replace("{{script}}", &script)
         .replace("{{wasm}}", &wasm)
         .replace("{{dictionary_script}}", &dictionary_script)
-        .replace("{{dictionary_wasm}}", &dictionary_wasm);
+        .replace("{{dictionary_wasm}}", &dictionary_wasm)
+        .replace("{{talk}}", &talk_style);
     let start = asset("start", "js", start.as_bytes())?;
-    let style_name = asset("page", "css", style(&fixed)?.as_bytes())?;
+    let style_name = asset("page", "css", style(&fixed, &["page.css", "sizes.css"])?.as_bytes())?;
     let palette_name = asset("palette", "js", text(&fixed.join("palette.js"))?.as_bytes())?;
     let index = text(&fixed.join("index.html"))?
         .replace("{{style}}", &style_name)
@@ -201,6 +203,7 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
         &palette_name,
         &dictionary_wasm,
         &dictionary_script,
+        &talk_style,
     ]
     .into_iter()
     .chain(&parts)
@@ -238,8 +241,8 @@ fn inline(page: &str, open: &str, close: &str) -> Vec<String> {
     page.split(open).skip(1).filter_map(source).collect()
 }
 
-fn style(fixed: &Path) -> Result<String, Failure> {
-    ["page.css", "talk.css", "sizes.css"]
+fn style(fixed: &Path, names: &[&str]) -> Result<String, Failure> {
+    names
         .iter()
         .map(|name| text(&fixed.join(name)))
         .collect()
