@@ -168,7 +168,7 @@ impl fmt::Display for Trouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::None => "",
-            Self::Flooded => "too much heard at once: some was lost",
+            Self::Flooded => "too much heard at once: it is held back, and some may be lost",
             Self::Blocked => "output blocked: the other side does not read",
             Self::Away(reason) => reason,
         })

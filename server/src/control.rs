@@ -356,3 +356,6 @@ impl Thread {
         let _ = self.parts.news.try_send(news);
     }
 }
+
+#[cfg(test)]
+mod tests;

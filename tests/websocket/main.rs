@@ -3,6 +3,7 @@
 
 mod doors;
 mod ends;
+mod flood;
 mod recording;
 mod settings;
 mod stream;

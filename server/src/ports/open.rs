@@ -14,6 +14,8 @@ use tokio_serial::{DataBits, ErrorKind, FlowControl, Parity, SerialPortBuilderEx
 const CALL_TIMEOUT: Duration = Duration::from_secs(2);
 /// Small, so that a reader that stops is seen soon and little that is old stands in the system's queue.
 const SEND_BUFFER: u32 = 4096;
+/// Small, so that what is heard of a line that floods is not old.
+const RECEIVE_BUFFER: u32 = 16 * 1024;
 
 /// What was opened.
 #[derive(Debug)]
@@ -60,6 +62,7 @@ pub(super) async fn open(place: &Place) -> Result<Opened, Failure> {
             };
             socket.set_reuseaddr(true)?;
             socket.set_send_buffer_size(SEND_BUFFER)?;
+            socket.set_recv_buffer_size(RECEIVE_BUFFER)?;
             socket
                 .bind(*address)
                 .map_err(|error| at(*address, &error))?;
@@ -104,7 +107,13 @@ async fn call(address: &str) -> Result<Opened, Failure> {
     let calling = async {
         let mut last = io::Error::from(io::ErrorKind::NotFound);
         for target in lookup_host(address).await? {
-            match TcpStream::connect(target).await {
+            let socket = match target {
+                SocketAddr::V4(_) => TcpSocket::new_v4()?,
+                SocketAddr::V6(_) => TcpSocket::new_v6()?,
+            };
+            // Before the call: the size is agreed in it.
+            socket.set_recv_buffer_size(RECEIVE_BUFFER)?;
+            match socket.connect(target).await {
                 Ok(stream) => {
                     prepare(&stream);
                     return Ok(Opened::Wire(Wire::Tcp(stream)));
@@ -164,5 +173,6 @@ async fn datagrams(address: SocketAddr) -> Result<Opened, Failure> {
             socket
         }
     };
+    socket2::SockRef::from(&socket).set_recv_buffer_size(RECEIVE_BUFFER as usize)?;
     Ok(Opened::Wire(Wire::Udp(socket)))
 }

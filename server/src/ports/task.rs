@@ -17,7 +17,11 @@ const BACK_OFF: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs
 const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 /// Seconds of line that the system may hold back before it counts as blocked.
 const HELD_BACK: f64 = 0.3;
-/// So long after bytes were lost a line still counts as one that floods.
+/// Bytes a second that are read of one port: 270 times what 38,400 baud carry.
+const READ_AT_MOST: f64 = 1_048_576.0;
+/// Bytes that may come at once, as when a recording is played into a line.
+const AT_ONCE: f64 = 262_144.0;
+/// So long after it was held back a line still counts as one that floods.
 const FLOODED_FOR: Duration = Duration::from_secs(1);
 
 /// Runs a port, for ever.
@@ -105,11 +109,14 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, inlet: &Inlet) ->
     let mut buffer = [0; 1024];
     let mut line: Vec<u8> = Vec::new();
     let mut pace = Pace::new(&port.place);
-    let mut flood = Flood::default();
+    let mut flood = Flood::new();
     loop {
         let writing = !line.is_empty();
         tokio::select! {
-            moved = std::future::poll_fn(|cx| wire.poll(cx, &mut buffer, &line)) => match moved {
+            moved = std::future::poll_fn(|cx| {
+                let buffer = flood.reads().then_some(&mut buffer[..]);
+                wire.poll(cx, buffer, &line)
+            }) => match moved {
                 Ok(Moved::Read(count)) => flood.hear(&buffer[..count], link, inlet),
                 Ok(Moved::Written(count)) => {
                     line.drain(..count);
@@ -120,6 +127,7 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, inlet: &Inlet) ->
                 }
                 Err(error) => return error,
             },
+            () = sleep_until(flood.pause), if !flood.reads() => {}
             () = sleep_until(pace.deadline), if writing => {
                 // What is left of it is too old; the other side skips the damaged sentence.
                 trouble(link, Trouble::Blocked);
@@ -152,17 +160,51 @@ async fn next(link: &Link) -> Vec<u8> {
     }
 }
 
-/// Bytes beyond what the control thread takes are lost, and that is said until all are taken for a second.
-#[derive(Default)]
-struct Flood(Option<Instant>);
+/// A line that brings more than any line carries is read no faster, so that other ports and the pages keep the
+/// machine (AP-25). That is said until it was not so for a second.
+struct Flood {
+    /// Bytes that may still be read at once; below zero they are owed.
+    left: f64,
+    /// When that was so.
+    since: Instant,
+    /// When the line was last held back, or bytes were lost.
+    held: Option<Instant>,
+    /// Until when nothing is read.
+    pause: Instant,
+}
 
 impl Flood {
+    fn new() -> Self {
+        let now = Instant::now();
+        Self {
+            left: AT_ONCE,
+            since: now,
+            held: None,
+            pause: now,
+        }
+    }
+
+    fn reads(&self) -> bool {
+        self.pause <= Instant::now()
+    }
+
+    /// How long nothing may be read after so many bytes.
+    fn wait(&mut self, count: usize, now: Instant) -> Duration {
+        let fresh = now.duration_since(self.since).as_secs_f64() * READ_AT_MOST;
+        self.since = now;
+        self.left = (self.left + fresh).min(AT_ONCE) - count as f64;
+        Duration::from_secs_f64((-self.left).max(0.0) / READ_AT_MOST)
+    }
+
     fn hear(&mut self, bytes: &[u8], link: &Link, inlet: &Inlet) {
-        if !inlet.hear(link, bytes.to_vec()) {
-            self.0 = Some(Instant::now());
+        let now = Instant::now();
+        let wait = self.wait(bytes.len(), now);
+        self.pause = now + wait;
+        if !inlet.hear(link, bytes.to_vec()) || !wait.is_zero() {
+            self.held = Some(now);
             trouble(link, Trouble::Flooded);
-        } else if self.0.is_some_and(|lost| lost.elapsed() > FLOODED_FOR) {
-            self.0 = None;
+        } else if self.held.is_some_and(|held| now - held > FLOODED_FOR) {
+            self.held = None;
             link.end_trouble(&Trouble::Flooded);
         }
     }
@@ -233,5 +275,30 @@ impl Pace {
     fn stuck(&self) -> bool {
         self.since
             .is_some_and(|since| since.elapsed() >= WRITE_TIMEOUT)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_read_up_to_a_rate_that_no_line_has() {
+        let mut flood = Flood::new();
+        let mut now = flood.since;
+        // Ten seconds of 38,400 baud, and a recording at once.
+        for _ in 0..1_000 {
+            now += Duration::from_millis(10);
+            assert_eq!(flood.wait(39, now), Duration::ZERO);
+        }
+        now += Duration::from_secs(1);
+        assert_eq!(flood.wait(262_144, now), Duration::ZERO);
+        // Without end: as long as it may take, and no longer.
+        let began = now;
+        for _ in 0..3 * 1_024 {
+            now += flood.wait(1_024, now);
+        }
+        let took = (now - began).as_secs_f64();
+        assert!((2.9..3.1).contains(&took), "{took}");
     }
 }

@@ -26,14 +26,16 @@ pub(super) enum Moved {
 }
 
 impl Wire {
-    /// Reads into `buffer` or writes from `rest`, whichever can be done first.
+    /// Reads into `buffer`, where there is one, or writes from `rest`, whichever can be done first.
     pub(super) fn poll(
         &mut self,
         cx: &mut Context<'_>,
-        buffer: &mut [u8],
+        buffer: Option<&mut [u8]>,
         rest: &[u8],
     ) -> Poll<io::Result<Moved>> {
-        if let Poll::Ready(read) = self.poll_read(cx, buffer) {
+        if let Some(buffer) = buffer
+            && let Poll::Ready(read) = self.poll_read(cx, buffer)
+        {
             return Poll::Ready(match read {
                 // A serial device that is gone reads as its end, for ever (FB8).
                 Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
