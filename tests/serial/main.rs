@@ -4,6 +4,7 @@
 mod dialogue;
 mod golden;
 mod hostile;
+mod no_route;
 mod two_programs;
 
 use std::path::Path;

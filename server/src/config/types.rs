@@ -81,7 +81,7 @@ pub(crate) struct Config {
     pub(crate) ship: Ship,
     /// Parameters of the autopilot.
     pub(crate) settings: Settings,
-    /// The route of the chart-system side; none: the embedded one.
+    /// The route of the chart-system side; none: it monitors none (TCS-2).
     pub(crate) route: Option<Route>,
 }
 

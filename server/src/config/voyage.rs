@@ -3,7 +3,7 @@
 use super::types::Config;
 use wheelover_core::autopilot::steering::SteeringSettings;
 use wheelover_core::chart_system::ChartConfig;
-use wheelover_core::route::{embedded, embedded_start};
+use wheelover_core::route::embedded_start;
 use wheelover_core::station::PortSetup;
 use wheelover_core::station::Role;
 use wheelover_core::units::{Course, Heading, Speed};
@@ -23,7 +23,8 @@ impl Config {
             (port.station, setup)
         });
         let chart = ChartConfig {
-            route: Some(self.route.clone().unwrap_or_else(embedded)),
+            // TCS-2: without a route there is none; the embedded one is the embedded voyage's.
+            route: self.route.clone(),
             conning_offset_m: [
                 ship.conning_forward_m - ship.antenna_forward_m,
                 ship.conning_starboard_m - ship.antenna_starboard_m,
