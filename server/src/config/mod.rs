@@ -1,5 +1,6 @@
 //! The configuration file: its names, its defaults, and the form in which it is in force.
 
+mod built;
 mod load;
 mod port;
 mod read;

@@ -1,5 +1,6 @@
 //! Reading a configuration: every mistake is one line with file, line, key and what is allowed.
 
+use super::built;
 use super::port::{Mistake, PortForm, port, socket};
 use super::route;
 use super::rules::conflict;
@@ -59,9 +60,13 @@ pub(crate) fn read(path: &Path) -> Result<Config, Error> {
 /// # Errors
 /// It says something that cannot be.
 pub(crate) fn from_text(file: &str, text: &str, folder: Option<&Path>) -> Result<Config, Error> {
-    toml::from_str::<Form>(text)
-        .map_err(|error| (error.span().unwrap_or(0..0), in_our_words(error.message())))
+    built::unbuilt(text)
+        .and_then(|()| {
+            toml::from_str::<Form>(text)
+                .map_err(|error| (error.span().unwrap_or(0..0), in_our_words(error.message())))
+        })
         .and_then(|form| check(form, folder.unwrap_or(Path::new(""))))
+        .and_then(|config| built::unused(text, &config.roles).map(|()| config))
         .map_err(|(span, text_of)| Error::Config {
             file: file.to_owned(),
             line: Some(1 + text[..span.start.min(text.len())].matches('\n').count()),
@@ -138,8 +143,7 @@ fn settings(
     written: BTreeMap<Spanned<String>, Spanned<Value>>,
     ship: &Spanned<Ship>,
 ) -> Result<Settings, Mistake> {
-    let mut settings = Settings::default();
-    for (key, value) in written {
+    for key in written.keys() {
         if definition(key.get_ref()).is_none() {
             let names: Vec<String> = TABLE
                 .iter()
@@ -152,20 +156,35 @@ fn settings(
             );
             return Err((key.span(), text));
         }
-        settings
-            .set(key.get_ref(), value.get_ref())
-            .map_err(|text| (value.span(), text))?;
     }
     let fixed = ship.get_ref();
-    let gear = [
+    let on_board = [
         ("rudder_max", fixed.rudder_max_deg),
         ("rudder_slew", fixed.rudder_slew_deg_s),
     ];
-    for (name, value) in gear.into_iter().chain(fixed.constants()) {
-        if let Some(value) = value {
-            settings
-                .set(name, &Value::Number(value))
-                .map_err(|text| (ship.span(), text))?;
+    let on_board = on_board.into_iter().chain(fixed.constants());
+    let on_board =
+        on_board.filter_map(|(name, value)| Some((name, Value::Number(value?), ship.span())));
+    let written = written.into_iter().map(|(key, value)| {
+        let span = value.span();
+        let name = definition(key.get_ref()).map_or("", |line| line.name);
+        (name, value.into_inner(), span)
+    });
+    let mut left: Vec<_> = written.chain(on_board).collect();
+    let mut settings = Settings::default();
+    // Two that agree with each other may not agree one by one with the defaults.
+    while !left.is_empty() {
+        let before = left.len();
+        let mut refused = None;
+        left.retain(|(name, value, span)| match settings.set(name, value) {
+            Ok(()) => false,
+            Err(text) => {
+                refused.get_or_insert((span.clone(), text));
+                true
+            }
+        });
+        if let Some(mistake) = refused.filter(|_| left.len() == before) {
+            return Err(mistake);
         }
     }
     Ok(settings)

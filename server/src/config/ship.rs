@@ -20,8 +20,6 @@ pub(crate) struct Ship {
     pub(crate) conning_forward_m: f64,
     /// Conning position to starboard of the midship line, metres.
     pub(crate) conning_starboard_m: f64,
-    /// Rudder forward of midships, metres; negative is aft.
-    pub(crate) rudder_forward_m: f64,
     /// Largest rudder angle, degrees; none: the setting `rudder_max`.
     pub(crate) rudder_max_deg: Option<f64>,
     /// Slew of the gear, degrees a second; none: the setting `rudder_slew`.
@@ -67,7 +65,6 @@ impl Default for Ship {
             antenna_starboard_m: 0.0,
             conning_forward_m: 0.0,
             conning_starboard_m: 0.0,
-            rudder_forward_m: -80.0,
             rudder_max_deg: None,
             rudder_slew_deg_s: None,
             start_lat: None,
@@ -137,7 +134,6 @@ impl Ship {
                 Some(self.conning_starboard_m),
                 offset.clone(),
             ),
-            ("rudder_forward_m", Some(self.rudder_forward_m), offset),
             ("start_lat", self.start_lat, -85.0..=85.0),
             ("start_lon", self.start_lon, -180.0..=180.0),
             ("start_heading", self.start_heading, 0.0..=360.0),

@@ -1,8 +1,10 @@
 //! CFG-1: a configuration printed as it is in force, with every default.
 
+use super::built;
 use super::types::{Config, Place, policy_name, profile_name};
 use std::fmt::Write;
 use wheelover_core::settings::{Kind, TABLE, Value};
+use wheelover_core::voyage::Role;
 
 /// The configuration as TOML that gives the same again.
 #[must_use]
@@ -42,6 +44,13 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
         writeln!(out, "output = {}", setup.output)?;
     }
     ship(config, out)?;
+    if config.roles.contains(&Role::Autopilot) {
+        settings(config, out)?;
+    }
+    route(config, out)
+}
+
+fn settings(config: &Config, out: &mut String) -> std::fmt::Result {
     writeln!(out, "\n[autopilot]")?;
     for (line, (name, value)) in TABLE.iter().zip(config.settings.values()) {
         let shown = match value {
@@ -55,13 +64,13 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
         };
         writeln!(out, "{shown:<30}# {allowed}: {}", line.help)?;
     }
-    route(config, out)
+    Ok(())
 }
 
 fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
     let ship = &config.ship;
     writeln!(out, "\n[ship]")?;
-    if ship.model.is_some() {
+    if ship.model.is_some() && built::ship_uses("model", &config.roles) {
         writeln!(out, "model = \"mariner\"")?;
     }
     for (name, value) in [
@@ -71,7 +80,6 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
         ("antenna_starboard_m", Some(ship.antenna_starboard_m)),
         ("conning_forward_m", Some(ship.conning_forward_m)),
         ("conning_starboard_m", Some(ship.conning_starboard_m)),
-        ("rudder_forward_m", Some(ship.rudder_forward_m)),
         ("rudder_max_deg", ship.rudder_max_deg),
         ("rudder_slew_deg_s", ship.rudder_slew_deg_s),
         ("start_lat", ship.start_lat),
@@ -84,7 +92,9 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
         ("current_set", Some(ship.current_set)),
         ("current_drift_kn", Some(ship.current_drift_kn)),
     ] {
-        if let Some(value) = value {
+        if let Some(value) = value
+            && built::ship_uses(name, &config.roles)
+        {
             writeln!(out, "{name} = {value:?}")?;
         }
     }
@@ -92,10 +102,13 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
 }
 
 fn route(config: &Config, out: &mut String) -> std::fmt::Result {
+    if !built::route_is_used(&config.roles) {
+        return Ok(());
+    }
     let Some(route) = &config.route else {
         return writeln!(
             out,
-            "\n# [route]: none; a chart-system side here sails the embedded one"
+            "\n# [route]: none; a chart-system side here monitors none"
         );
     };
     let document = wheelover_core::view::drawn_route(route, 0);

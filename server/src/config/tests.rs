@@ -189,4 +189,84 @@ fn a_port_says_whether_a_null_status_commands() {
     assert!(accepts(&port("ecdis", "")).unwrap());
     assert!(!accepts(&port("ecdis", "null_status = false")).unwrap());
     assert!(accepts(&port("gyro1", "null_status = false")).is_err());
+
+// What is accepted acts: the rest of the specification's names are known, and refused until they are built.
+#[test]
+fn what_is_not_built_yet_is_refused_by_its_name() {
+    let not_built =
+        |text: &str, line: usize, name: &str| check(text, line, &[name, "is not built yet"]);
+    for name in [
+        "magn", "hmi", "gps2", "stand", "plotter", "wind", "imu", "bams", "targets",
+    ] {
+        let port = PORT.replace("profile = \"ecdis\"", &format!("profile = \"{name}\""));
+        not_built(&format!("roles = [\"autopilot\"]\n{port}"), 6, name);
+    }
+    check(
+        &PORT.replace("profile = \"ecdis\"", "profile = \"radar\""),
+        5,
+        &["unknown value `radar`", "`monitor`"],
+    );
+    not_built(&format!("{PORT}talkers = [\"EI\"]\n"), 6, "talkers");
+    not_built(&format!("{PORT}null_status = false\n"), 6, "null_status");
+    for key in ["rudder_forward_m", "rudders"] {
+        not_built(&format!("[ship]\nlength_m = 90\n{key} = 1.0\n"), 3, key);
+    }
+    not_built("[gear]\nkind = \"ror\"\n", 1, "gear");
+    not_built(
+        "\n[commissioning]\nskipped_by = \"A\"\n",
+        2,
+        "commissioning",
+    );
+}
+
+#[test]
+fn what_no_station_here_uses_is_refused() {
+    let unused = |role: &str, text: &str, words: &[&str]| {
+        let words = [words, &["does not run here"]].concat();
+        check(&format!("roles = [\"{role}\"]\n{text}"), 3, &words);
+    };
+    unused(
+        "autopilot",
+        "[ship]\nstart_heading = 10\n",
+        &["start_heading", "world"],
+    );
+    unused(
+        "autopilot",
+        "[ship]\nantenna_forward_m = 9\n",
+        &["chart_system"],
+    );
+    unused("world", "[ship]\nrudder_max_deg = 30\n", &["autopilot"]);
+    let text = "roles = [\"world\"]\n[autopilot]\nset_rate = 9\n";
+    check(text, 2, &["[autopilot]", "does not run here"]);
+    // What is printed is what acts, and reads back.
+    for role in ["autopilot", "chart_system", "world"] {
+        let text = format!("roles = [\"{role}\"]\n");
+        let first = in_force(&from_text("w.toml", &text, None).unwrap());
+        let again = in_force(&from_text("w.toml", &first, None).unwrap());
+        assert_eq!(first, again);
+    }
+}
+
+#[test]
+fn settings_that_agree_together_are_taken_in_any_order() {
+    for text in [
+        "[autopilot]\ntrack_caution = 6\ntrack_fail = 8\n",
+        "[autopilot]\nrudder_limit = 12\n[ship]\nrudder_max_deg = 15\n",
+    ] {
+        assert!(from_text("w.toml", text, None).is_ok(), "{text}");
+    }
+    check(
+        "[autopilot]\ntrack_caution = 6\n",
+        2,
+        &["track_caution", "track_fail"],
+    );
+}
+
+// TCS-2
+#[test]
+fn without_a_route_a_configuration_has_none() {
+    let config = from_text("w.toml", "roles = [\"chart_system\"]\n", None).unwrap();
+    let voyage = config.voyage();
+    let waypoints = wheelover_core::view::route_document(&voyage).waypoints;
+    assert_eq!(waypoints.len(), 0);
 }

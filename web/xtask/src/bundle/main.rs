@@ -143,7 +143,10 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
         Ok(())
     };
     let decoder = text(&fixed.join("decoder.html"))?
-        .replace("{{style}}", &style(&fixed, &["page.css", "sizes.css", "talk.css"])?)
+        .replace(
+            "{{style}}",
+            &style(&fixed, &["page.css", "sizes.css", "talk.css"])?,
+        )
         .replace("{{palette}}", &text(&fixed.join("palette.js"))?)
         .replace("{{script}}", &whole.script)
         .replace("{{wasm}}", &base64(&whole.wasm))
@@ -183,7 +186,11 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
         .replace("{{dictionary_wasm}}", &dictionary_wasm)
         .replace("{{talk}}", &talk_style);
     let start = asset("start", "js", start.as_bytes())?;
-    let style_name = asset("page", "css", style(&fixed, &["page.css", "sizes.css"])?.as_bytes())?;
+    let style_name = asset(
+        "page",
+        "css",
+        style(&fixed, &["page.css", "sizes.css"])?.as_bytes(),
+    )?;
     let palette_name = asset("palette", "js", text(&fixed.join("palette.js"))?.as_bytes())?;
     let index = text(&fixed.join("index.html"))?
         .replace("{{style}}", &style_name)
@@ -242,10 +249,7 @@ fn inline(page: &str, open: &str, close: &str) -> Vec<String> {
 }
 
 fn style(fixed: &Path, names: &[&str]) -> Result<String, Failure> {
-    names
-        .iter()
-        .map(|name| text(&fixed.join(name)))
-        .collect()
+    names.iter().map(|name| text(&fixed.join(name))).collect()
 }
 
 fn length(path: &Path) -> Result<u64, Failure> {
