@@ -10,10 +10,9 @@ use toml::{Spanned, Value};
 use wheelover_core::voyage::Role;
 
 /// Keys of the file, its sections, ports and ship.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 6] = [
     "commissioning",
     "gear",
-    "null_status",
     "rudder_forward_m",
     "rudders",
     "skipped_by",

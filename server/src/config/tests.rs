@@ -189,6 +189,7 @@ fn a_port_says_whether_a_null_status_commands() {
     assert!(accepts(&port("ecdis", "")).unwrap());
     assert!(!accepts(&port("ecdis", "null_status = false")).unwrap());
     assert!(accepts(&port("gyro1", "null_status = false")).is_err());
+}
 
 // What is accepted acts: the rest of the specification's names are known, and refused until they are built.
 #[test]
@@ -207,7 +208,6 @@ fn what_is_not_built_yet_is_refused_by_its_name() {
         &["unknown value `radar`", "`monitor`"],
     );
     not_built(&format!("{PORT}talkers = [\"EI\"]\n"), 6, "talkers");
-    not_built(&format!("{PORT}null_status = false\n"), 6, "null_status");
     for key in ["rudder_forward_m", "rudders"] {
         not_built(&format!("[ship]\nlength_m = 90\n{key} = 1.0\n"), 3, key);
     }
