@@ -138,6 +138,8 @@ alerts! {
     CrossTrack = 206, Alarm, B, "CROSS TRACK", "The ship is outside the limits of the leg";
     /// TCS-3: the chart system has no position.
     ChartPositionLost = 207, Alarm, B, "NO POSITION", "The chart system has no valid position. Track control is refused or ended";
+    /// TCS-13: the autopilot has left the chart system's control or is silent.
+    AutopilotLeft = 208, Alarm, B, "AUTOPILOT LEFT", "The autopilot has left the chart system's control. Check who steers";
 }
 
 impl Alert {

@@ -8,6 +8,7 @@
 
 mod control;
 mod current;
+mod followed;
 mod position;
 mod sentences;
 mod sight;
@@ -26,6 +27,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use control::Control;
 use current::Current;
+use followed::Followed;
 use position::PositionGuard;
 use serde::{Deserialize, Serialize};
 use watch::Watch;
@@ -97,6 +99,7 @@ pub struct ChartSystem {
     /// Forwarding distance before the next turn; fixed a minute before the wheel-over line.
     forwarding: Distance,
     control: Control,
+    followed: Followed,
     shown: sight::CrossTracks,
     watch: Watch,
     why: String,
@@ -115,6 +118,7 @@ impl ChartSystem {
             progress: None,
             forwarding: Distance::default(),
             control: Control::Off,
+            followed: Followed::default(),
             shown: sight::CrossTracks::default(),
             watch: Watch::default(),
             why: String::new(),
@@ -161,15 +165,17 @@ impl ChartSystem {
             Input::Stalled { .. } => {
                 self.post.stalled(now);
                 self.guard.forget();
+                self.followed.stalled(now);
             }
             Input::Tick => {}
         }
     }
 
-    /// When the next sentences are due.
+    /// When the next sentences are due, or a silent autopilot is to be noticed.
     #[must_use]
     pub fn due(&self) -> Stamp {
-        self.next.unwrap_or(self.now)
+        let next = self.next.unwrap_or(self.now);
+        self.silent_at().map_or(next, |silent| next.min(silent))
     }
 
     fn run(&mut self, now: Stamp, out: &mut Vec<Output>) {
@@ -184,6 +190,7 @@ impl ChartSystem {
         }
         self.next = Some(next);
         self.now = self.now.max(now);
+        self.supervise(now);
     }
 
     /// One second: where the ship is, what is indicated, what is said.
@@ -278,6 +285,7 @@ impl Station for ChartSystem {
 
     fn heard(&mut self, now: Stamp, _port: PortIndex, _sentence: &Sentence<'_>) {
         self.judge_fix(now);
+        self.supervise(now);
     }
 }
 

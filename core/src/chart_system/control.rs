@@ -1,6 +1,8 @@
 //! Who is asked to steer: off, track control ("Ti") or remote heading control ("Tn"), and what each needs.
 
 use super::ChartSystem;
+use super::followed::Followed;
+use crate::alerts::Alert;
 use crate::command::{ChartRequest, Refusal};
 use crate::nmea::SteeringMode;
 use crate::route::{Phase, Progress};
@@ -86,7 +88,7 @@ impl ChartSystem {
         }
         self.progress = Some(place);
         self.safe_approach(now)?;
-        self.control = Control::Track { turned: false };
+        self.begin(now, Control::Track { turned: false });
         self.why = String::from("track control commanded");
         Ok("track control commanded, waiting for the autopilot".into())
     }
@@ -120,9 +122,18 @@ impl ChartSystem {
             self.safe_approach(now)?;
             None
         };
-        self.control = Control::Heading { leg };
+        self.begin(now, Control::Heading { leg });
         self.why = String::from("heading control commanded");
         Ok("heading control commanded, waiting for the autopilot".into())
+    }
+
+    /// Control begins, or changes its kind, which does not end what the autopilot follows.
+    fn begin(&mut self, now: Stamp, control: Control) {
+        if self.control == Control::Off {
+            self.followed = Followed::begin(now);
+        }
+        self.control = control;
+        self.watch.rectify(now, Alert::AutopilotLeft);
     }
 
     fn stop(&mut self) -> String {

@@ -1,6 +1,7 @@
 //! The chart system fed with the bytes of a ship that is moved along its route.
 
 mod dialogue;
+mod followed;
 mod heading_control;
 mod indications;
 mod position;

@@ -37,7 +37,19 @@ impl Watch {
         ];
         let taken = self.alerts.acknowledge(now, number);
         self.confirmed |= taken && course_change.contains(&number);
+        // An event, not a condition that lasts: it is over once it is taken.
+        if number == Alert::AutopilotLeft.number() {
+            self.alerts.rectify(now, Alert::AutopilotLeft);
+        }
         taken
+    }
+
+    pub(super) fn raise(&mut self, now: Stamp, alert: Alert, text: &str) {
+        self.alerts.raise(now, alert, text);
+    }
+
+    pub(super) fn rectify(&mut self, now: Stamp, alert: Alert) {
+        self.alerts.rectify(now, alert);
     }
 
     pub(super) fn silence(&mut self, now: Stamp) {

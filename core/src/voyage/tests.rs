@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::autopilot::ModeName;
+use crate::command::{FaultKind, Order};
 use alloc::format;
 use alloc::vec;
 
@@ -48,4 +49,39 @@ fn all_six_situations_follow_each_other_round_after_round() {
     expected.extend([6, 1, 2, 3, 4, 5]);
     assert!(seen.starts_with(&expected), "{seen:?}\n{log}");
     assert!(worst < 50.0, "{worst} m\n{log}");
+}
+
+// TCS-13: the chart system has stopped; the officer asks it again, and the ship is back under track control.
+#[test]
+fn the_officer_engages_again_after_a_lost_cable() {
+    for kind in [FaultKind::Silent, FaultKind::Cut] {
+        let mut voyage = Voyage::embedded(7);
+        let following = |voyage: &Voyage| {
+            let autopilot = voyage.autopilot().unwrap();
+            autopilot.mode().name() == ModeName::AutonavTi
+        };
+        sail(&mut voyage, 120, |_, _| {});
+        assert!(following(&voyage));
+        let fault = |voyage: &mut Voyage, on| {
+            let fault = Order::Fault {
+                cable: "ecdis".into(),
+                kind,
+                on,
+            };
+            voyage.conduct(voyage.now(), &fault).unwrap();
+        };
+        fault(&mut voyage, true);
+        sail(&mut voyage, 20, |_, _| {});
+        assert!(!following(&voyage));
+        assert_eq!(
+            voyage.chart.as_ref().unwrap().control_name(),
+            "off",
+            "{kind:?}"
+        );
+        fault(&mut voyage, false);
+        let mut again = false;
+        // The cable is lost in a turn, in which control does not begin.
+        sail(&mut voyage, 300, |voyage, _| again |= following(voyage));
+        assert!(again, "{kind:?}");
+    }
 }

@@ -113,10 +113,34 @@ fn autonav_is_entered_from_auto_only_and_never_in_a_turn() {
     rig.until("the arc", 900.0, |rig| rig.chart.situation() == 4);
     rig.run(5.0);
     rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
-    rig.run(1.0);
     let refusal = rig.command(Order::Mode(ModeRequest::Autonav)).unwrap_err();
     assert!(refusal.contains("not in the middle of a turn"), "{refusal}");
+    // TCS-13: the chart system has stopped, and does not begin there either.
+    rig.run(2.0);
+    assert_eq!(rig.chart.control_name(), "off");
+    let refusal = rig.ask(ChartRequest::Track).unwrap_err();
+    assert!(refusal.contains("not in the middle of a turn"), "{refusal}");
     rig.check_orders();
+}
+
+// TCS-13
+#[test]
+fn the_chart_system_stops_when_the_operator_takes_the_ship() {
+    for request in [ModeRequest::Standby, ModeRequest::Auto] {
+        let mut rig = Rig::tracking();
+        rig.run(20.0);
+        rig.command(Order::Mode(request)).unwrap();
+        rig.run(5.0);
+        assert_eq!(rig.chart.control_name(), "off");
+        let mut alerts = rig.chart.alerts().iter();
+        assert!(alerts.any(|standing| standing.alert == Alert::AutopilotLeft));
+        assert!(
+            rig.line("HTC").contains("HTC,V,,,S,"),
+            "{}",
+            rig.line("HTC")
+        );
+        rig.check_orders();
+    }
 }
 
 // FA12, HTC-1

@@ -6,7 +6,7 @@ use wheelover_core::geo::{Position, rhumb};
 use wheelover_core::nmea::{self, Gll, SteeringMode};
 use wheelover_core::station::{Input, Profile};
 use wheelover_core::units::{Course, Distance};
-use wheelover_core::view::{FaultKind, ModeName, ModeRequest, Order};
+use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order};
 
 // FA7
 #[test]
@@ -196,6 +196,7 @@ fn no_change_of_mode_steps_the_order() {
     rig.run(4.0);
     rig.command(Order::AdjustHeading(-20.0)).unwrap();
     rig.run(3.0);
+    rig.ask(ChartRequest::Track).unwrap(); // TCS-13: it has stopped when AUTO was selected
     go(&mut rig, ModeRequest::Autonav);
     assert_eq!(rig.mode(), ModeName::AutonavTi);
     go(&mut rig, ModeRequest::Auto);

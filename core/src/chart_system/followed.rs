@@ -1,0 +1,73 @@
+//! Whether the autopilot follows: control that it has left, or under which it fell silent, is not commanded on (TCS-13).
+
+use super::ChartSystem;
+use super::control::Control;
+use crate::alerts::Alert;
+use crate::nmea::SteeringMode;
+use crate::time::Stamp;
+use serde::{Deserialize, Serialize};
+
+/// An autopilot that followed and has not said so for so long is silent, milliseconds.
+const SILENT_MS: u64 = 5_000;
+
+/// What HTD said since control began. Either side may come first (AP-6), so nothing is asked of it before it followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Followed {
+    /// When control began.
+    begun: Stamp,
+    /// When HTD last said T or H under this control.
+    at: Option<Stamp>,
+}
+
+impl Followed {
+    /// Control begins at `now`; what was heard before does not count.
+    pub(super) const fn begin(now: Stamp) -> Self {
+        Self {
+            begun: now,
+            at: None,
+        }
+    }
+
+    /// FA16: the station stood still and must hear again; its own gap is not the autopilot's.
+    pub(super) fn stalled(&mut self, now: Stamp) {
+        self.at = self.at.map(|_| now);
+    }
+}
+
+impl ChartSystem {
+    /// TCS-13: ends control that the autopilot has left, or under which it fell silent.
+    pub(super) fn supervise(&mut self, now: Stamp) {
+        if self.control == Control::Off {
+            return;
+        }
+        if let (Some(Some(mode)), Some(heard)) = (self.steering_at(now), &self.post.picture.htd) {
+            let follows = matches!(
+                mode,
+                SteeringMode::TrackControl | SteeringMode::HeadingControl
+            );
+            if follows && heard.at > self.followed.begun {
+                self.followed.at = Some(heard.at);
+            } else if !follows && self.followed.at.is_some() {
+                self.give_up(now, "the autopilot has left it");
+                return;
+            }
+        }
+        if self.silent_at().is_some_and(|silent| now >= silent) {
+            self.give_up(now, "the autopilot is silent");
+        }
+    }
+
+    /// When an autopilot that followed is taken to be silent.
+    pub(super) fn silent_at(&self) -> Option<Stamp> {
+        if self.control == Control::Off {
+            return None;
+        }
+        Some(self.followed.at? + SILENT_MS)
+    }
+
+    fn give_up(&mut self, now: Stamp, why: &str) {
+        self.end_control(why);
+        let text = alloc::format!("Control stopped: {why}. Check who steers");
+        self.watch.raise(now, Alert::AutopilotLeft, &text);
+    }
+}
