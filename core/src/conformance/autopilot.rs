@@ -30,7 +30,7 @@ pub(super) struct AutopilotRules {
     line: u64,
     at: Option<f64>,
     /// Breaches that last are reported once.
-    told: [bool; 7],
+    told: [bool; 8],
 }
 
 /// Breaches that last.
@@ -43,6 +43,7 @@ enum Lasting {
     Silent,
     Reference,
     Override,
+    Order,
 }
 
 impl AutopilotRules {
@@ -86,6 +87,14 @@ impl AutopilotRules {
             {
                 report.breach("AP-1", "ROR carries an order in stand-by");
             }
+            let valid = ror.starboard.is_some() && ror.starboard_status == Some(DataStatus::Valid);
+            self.lasting(
+                Lasting::Order,
+                self.engaged() && !valid,
+                "AP-4",
+                || "ROR without a valid starboard order in AutoNAV".into(),
+                report,
+            );
         }
     }
 

@@ -271,6 +271,15 @@ fn the_autopilots_answer_is_checked() {
     check(&clean, 1, "HTD", "AP-1", "must be null", |f| {
         f[4] = "M".into()
     });
+    let no_order = "without a valid starboard order";
+    for situation in [2, 3, 4, 5] {
+        check(&clean, situation, "ROR", "AP-4", no_order, |f| f[1].clear());
+        check(&clean, situation, "ROR", "AP-4", no_order, |f| {
+            f[2] = "V".into()
+        });
+    }
+    let clean_tn = Bench::new().dialogue(ChartRequest::Heading);
+    check(&clean_tn, 0, "ROR", "AP-4", no_order, |f| f[1].clear());
     let mut lines = dialogue();
     lines.retain(|(at, line)| !(line.starts_with("$EI") || line.starts_with("$P")) || *at < 60.0);
     let (_, breaches) = checked(&lines);
