@@ -34,10 +34,13 @@ fn a_control_loop_that_leaves_ends_the_program_too() {
 #[test]
 fn a_control_loop_that_hangs_is_seen_and_does_not_keep_the_program_from_ending() {
     let mut program = Program::start_with(&[], &[("WHEELOVER_DRILL", "hang:1000")]);
-    let end = std::time::Instant::now() + SOON;
-    while get(program.address, "/healthz", &[]).status == 200 {
-        assert!(std::time::Instant::now() < end, "the silence is not seen");
-        std::thread::sleep(Duration::from_millis(100));
+    // It speaks, and then it does not.
+    for speaks in [true, false] {
+        let end = std::time::Instant::now() + SOON;
+        while (get(program.address, "/healthz", &[]).status == 200) != speaks {
+            assert!(std::time::Instant::now() < end, "not seen: {speaks}");
+            std::thread::sleep(Duration::from_millis(50));
+        }
     }
     assert_eq!(program.stop(), Some(3));
     let said = program.last_words().join("\n");
