@@ -70,6 +70,26 @@ pub enum Profile {
     Monitor,
 }
 
+impl Profile {
+    /// Name in the configuration, and of a port that is cabled inside.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ecdis => "ecdis",
+            Self::Gyro1 => "gyro1",
+            Self::Gyro2 => "gyro2",
+            Self::Thd => "thd",
+            Self::Magn => "magn",
+            Self::Gps => "gps",
+            Self::Log => "log",
+            Self::Rot => "rot",
+            Self::Gear => "gear",
+            Self::Hmi => "hmi",
+            Self::Monitor => "monitor",
+        }
+    }
+}
+
 /// Which sentences of a port are believed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -164,7 +164,7 @@ fn lay_cables(roles: &[Role], ports: &mut [Vec<PortSetup>; 3]) -> Cables {
         for role in listeners {
             ends.push((role, end_of(&mut ports[role as usize], profile)));
         }
-        cables.lay(name(profile), profile, ends);
+        cables.lay(profile.name(), profile, ends);
     }
     cables
 }
@@ -175,27 +175,11 @@ fn end_of(ports: &mut Vec<PortSetup>, profile: Profile) -> PortIndex {
         return index;
     }
     ports.push(PortSetup {
-        name: name(profile).to_string(),
+        name: profile.name().to_string(),
         profile,
         checksum: ChecksumPolicy::Required,
         baud: 38_400,
         output: true,
     });
     ports.len() - 1
-}
-
-const fn name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::Ecdis => "ecdis",
-        Profile::Gyro1 => "gyro1",
-        Profile::Gyro2 => "gyro2",
-        Profile::Thd => "thd",
-        Profile::Magn => "magn",
-        Profile::Gps => "gps",
-        Profile::Log => "log",
-        Profile::Rot => "rot",
-        Profile::Gear => "gear",
-        Profile::Hmi => "hmi",
-        Profile::Monitor => "monitor",
-    }
 }

@@ -1,6 +1,6 @@
 //! One `[[port]]` as written, and what makes it a port that can be.
 
-use super::types::{Kind, Place, Port, commands, policy_name, profile_name};
+use super::types::{Kind, Place, Port, commands, policy_name};
 use serde::Deserialize;
 use std::net::SocketAddr;
 use std::ops::Range;
@@ -67,7 +67,7 @@ pub(super) fn port(
         let text = format!(
             "ports \"{}\" and \"{name}\" both have the profile \"{}\"; only \"monitor\" may stand twice at one station",
             other.setup.name,
-            profile_name(profile)
+            profile.name()
         );
         return Err((form.profile.span(), text));
     }

@@ -1,7 +1,7 @@
 //! CFG-1: a configuration printed as it is in force, with every default.
 
 use super::built;
-use super::types::{Config, Place, policy_name, profile_name};
+use super::types::{Config, Place, policy_name};
 use std::fmt::Write;
 use wheelover_core::settings::{Kind, TABLE, Value};
 use wheelover_core::voyage::Role;
@@ -39,7 +39,7 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
         if let Place::Serial(_, baud) = port.place {
             writeln!(out, "baud = {baud}")?;
         }
-        writeln!(out, "profile = \"{}\"", profile_name(setup.profile))?;
+        writeln!(out, "profile = \"{}\"", setup.profile.name())?;
         writeln!(out, "checksum = \"{}\"", policy_name(setup.checksum))?;
         writeln!(out, "output = {}", setup.output)?;
     }

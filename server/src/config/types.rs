@@ -97,22 +97,6 @@ pub(crate) const fn commands(profile: Profile) -> bool {
     matches!(profile, Profile::Ecdis | Profile::Hmi)
 }
 
-pub(super) const fn profile_name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::Ecdis => "ecdis",
-        Profile::Gyro1 => "gyro1",
-        Profile::Gyro2 => "gyro2",
-        Profile::Thd => "thd",
-        Profile::Magn => "magn",
-        Profile::Gps => "gps",
-        Profile::Log => "log",
-        Profile::Rot => "rot",
-        Profile::Gear => "gear",
-        Profile::Hmi => "hmi",
-        Profile::Monitor => "monitor",
-    }
-}
-
 pub(super) const fn policy_name(policy: ChecksumPolicy) -> &'static str {
     match policy {
         ChecksumPolicy::Required => "required",

@@ -273,10 +273,7 @@ impl Autopilot {
             || path.arc_length() - progress.along < 0.3 * turn.radius.m();
         if centre.distance(turn.centre) > SAME_TURN_M && near_end {
             // The next turn follows at once: its leg in is this one's leg out.
-            let end = turn
-                .centre
-                .towards(turn.course_out.deg() - 90.0 * path.side(), turn.radius.m());
-            let leg = Path::leg(end, turn.course_out);
+            let leg = path.leg_out();
             let side = self.fits(&leg, centre, radius, ship)?;
             let turned = (track - turn.course_out).deg() * side;
             if (1.0..=175.0).contains(&turned) {
@@ -338,12 +335,7 @@ impl Autopilot {
             return Ok(());
         };
         let before = Path::leg(path.point, path.course_in).cross_track(ship).m();
-        let after = path.turn.map(|turn| {
-            let end = turn
-                .centre
-                .towards(turn.course_out.deg() - 90.0 * path.side(), turn.radius.m());
-            Path::leg(end, turn.course_out).cross_track(ship).m()
-        });
+        let after = path.turn.map(|_| path.leg_out().cross_track(ship).m());
         let off = |expected: f64| libm::fabs(distance - expected);
         let least = after.map_or(off(before), |after| off(before).min(off(after)));
         if least > self.settings.leg_tolerance.max(100.0) {

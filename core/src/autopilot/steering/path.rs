@@ -99,6 +99,16 @@ impl Path {
         }
     }
 
+    /// The leg that follows the turn, through the end of the arc; the leg itself where there is no turn.
+    #[must_use]
+    pub fn leg_out(&self) -> Self {
+        let Some(turn) = self.turn else { return *self };
+        let end = turn
+            .centre
+            .towards(turn.course_out.deg() - 90.0 * self.side(), turn.radius.m());
+        Self::leg(end, turn.course_out)
+    }
+
     /// Cross-track distance from the part of the path where `p` is.
     #[must_use]
     pub fn cross_track(&self, p: Point) -> Distance {

@@ -173,11 +173,7 @@ impl Guidance {
         let at = old.progress(p);
         let leg = path.progress(p).cross_track;
         if same && at.along > 0.5 * old.arc_length() && libm::fabs(leg) < 200.0 {
-            let end = turn
-                .centre
-                .towards(turn.course_out.deg() - 90.0 * old.side(), turn.radius.m());
-            let out = Path::leg(end, turn.course_out);
-            let shift = out.progress(p).cross_track - leg;
+            let shift = old.leg_out().progress(p).cross_track - leg;
             turn.centre = turn.centre.towards(path.course_in.deg() + 90.0, shift);
             self.tail = Some(Path::turn(
                 old.course_in,
