@@ -6,13 +6,13 @@
 //!
 //! **Invariant:** situations change by geometry, never by time; no position older than 5 s is sent as valid.
 
-mod control;
+mod commanding;
 mod current;
 mod followed;
+mod indications;
 mod position;
 mod sentences;
 mod sight;
-mod watch;
 
 use crate::alerts::Standing;
 use crate::nmea::Sentence;
@@ -25,12 +25,12 @@ use crate::time::Stamp;
 use crate::units::{Distance, Speed};
 use alloc::string::String;
 use alloc::vec::Vec;
-use control::Control;
+use commanding::Commanding;
 use current::Current;
 use followed::Followed;
+use indications::TurnIndications;
 use position::PositionGuard;
 use serde::{Deserialize, Serialize};
-use watch::Watch;
 
 /// Period of the sentences, milliseconds.
 const PERIOD_MS: u64 = 1_000;
@@ -98,10 +98,10 @@ pub struct ChartSystem {
     progress: Option<Progress>,
     /// Forwarding distance before the next turn; fixed a minute before the wheel-over line.
     forwarding: Distance,
-    control: Control,
+    control: Commanding,
     followed: Followed,
     shown: sight::CrossTracks,
-    watch: Watch,
+    watch: TurnIndications,
     why: String,
     now: Stamp,
     next: Option<Stamp>,
@@ -117,10 +117,10 @@ impl ChartSystem {
             current: Current::default(),
             progress: None,
             forwarding: Distance::default(),
-            control: Control::Off,
+            control: Commanding::Off,
             followed: Followed::default(),
             shown: sight::CrossTracks::default(),
-            watch: Watch::default(),
+            watch: TurnIndications::default(),
             why: String::new(),
             now: Stamp::default(),
             next: None,
@@ -139,10 +139,10 @@ impl ChartSystem {
         self.forwarding = self.forwarding_at(route.limits().speed, &route);
         self.route = Some(route);
         self.revision += 1;
-        self.control = Control::Off;
+        self.control = Commanding::Off;
         self.progress = None;
         self.shown = sight::CrossTracks::default();
-        self.watch = Watch::default();
+        self.watch = TurnIndications::default();
         self.why = String::from("route loaded");
     }
 
@@ -150,10 +150,10 @@ impl ChartSystem {
     pub fn unload(&mut self) {
         self.route = None;
         self.revision += 1;
-        self.control = Control::Off;
+        self.control = Commanding::Off;
         self.progress = None;
         self.shown = sight::CrossTracks::default();
-        self.watch = Watch::default();
+        self.watch = TurnIndications::default();
         self.why = String::from("no route");
     }
 

@@ -58,14 +58,14 @@ macro_rules! direction {
         }
 
         impl Sub for $name {
-            type Output = Turn;
-            fn sub(self, other: Self) -> Turn {
-                Turn::from_deg(self.0 - other.0)
+            type Output = SignedAngle;
+            fn sub(self, other: Self) -> SignedAngle {
+                SignedAngle::from_deg(self.0 - other.0)
             }
         }
-        impl Add<Turn> for $name {
+        impl Add<SignedAngle> for $name {
             type Output = Self;
-            fn add(self, turn: Turn) -> Self {
+            fn add(self, turn: SignedAngle) -> Self {
                 Self::from_deg(self.0 + turn.deg())
             }
         }
@@ -102,7 +102,7 @@ impl Course {
 impl MagneticHeading {
     /// The true heading, given the variation (east positive).
     #[must_use]
-    pub fn to_true(self, variation: Turn) -> Heading {
+    pub fn to_true(self, variation: SignedAngle) -> Heading {
         Heading::from_deg(self.0 + variation.deg())
     }
 }
@@ -132,9 +132,9 @@ macro_rules! quantity {
 
 quantity! {
     /// A signed angle between two directions, degrees, -180 to 180; starboard positive.
-    Turn
+    SignedAngle
 }
-impl Turn {
+impl SignedAngle {
     /// From degrees; wrapped into -180 to 180.
     #[must_use]
     pub fn from_deg(degrees: f64) -> Self {

@@ -39,7 +39,7 @@ pub(crate) enum Asked {
 
 /// What was heard.
 #[derive(Debug)]
-pub(crate) enum Heard {
+pub(crate) enum FromPort {
     /// Bytes.
     Bytes {
         /// Number of the port in the configuration.
@@ -62,7 +62,7 @@ pub(crate) enum Heard {
 #[derive(Clone, Debug)]
 pub(crate) struct Inlet {
     asked: Sender<Asked>,
-    heard: Sender<Heard>,
+    heard: Sender<FromPort>,
 }
 
 /// The control thread's end of it.
@@ -71,7 +71,7 @@ pub(crate) struct Queues {
     /// First.
     pub(crate) asked: Receiver<Asked>,
     /// While nothing is asked.
-    pub(crate) heard: Receiver<Heard>,
+    pub(crate) heard: Receiver<FromPort>,
 }
 
 /// The control thread has ended.
@@ -112,14 +112,16 @@ impl Inlet {
             return false;
         };
         let port = link.index;
-        self.heard.send(Heard::Bytes { port, bytes, place }).is_ok()
+        self.heard
+            .send(FromPort::Bytes { port, bytes, place })
+            .is_ok()
     }
 
     /// Says that a port came or went.
     pub(crate) fn port_up(&self, link: &Link, up: bool) {
         let port = link.index;
         // Where nobody hears it any more, the server ends.
-        let _ = self.heard.send(Heard::PortUp { port, up });
+        let _ = self.heard.send(FromPort::PortUp { port, up });
     }
 }
 

@@ -6,7 +6,7 @@
 #[cfg(debug_assertions)]
 mod drill;
 
-use crate::bus::{Asked, Document, Heard, Link, News, Place, Queues};
+use crate::bus::{Asked, Document, FromPort, Link, News, Place, Queues};
 use crate::clock::{Clock, Pace};
 use crate::config::Rules;
 use crate::persist::Keeper;
@@ -264,10 +264,10 @@ impl Thread {
         }
     }
 
-    fn heard(&mut self, heard: Heard) {
+    fn heard(&mut self, heard: FromPort) {
         let (event, place) = match heard {
-            Heard::Bytes { port, bytes, place } => (Event::Bytes { port, bytes }, Some(place)),
-            Heard::PortUp { port, up } => (Event::PortUp { port, up }, None),
+            FromPort::Bytes { port, bytes, place } => (Event::Bytes { port, bytes }, Some(place)),
+            FromPort::PortUp { port, up } => (Event::PortUp { port, up }, None),
         };
         self.happen(self.clock.micros(), event);
         drop(place);

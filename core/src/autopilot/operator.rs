@@ -5,7 +5,7 @@ use super::{Autopilot, Mode};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
 use crate::time::Stamp;
-use crate::units::{Heading, RudderAngle, Turn};
+use crate::units::{Heading, RudderAngle, SignedAngle};
 use alloc::format;
 use alloc::string::String;
 use core::ops::RangeInclusive;
@@ -38,8 +38,9 @@ impl Autopilot {
             Order::AdjustHeading(degrees) => match &self.mode {
                 Mode::Auto { set, .. } => {
                     let set = *set;
-                    within("change of the set heading", *degrees, -180.0..=180.0)
-                        .and_then(|degrees| self.set_heading(now, set + Turn::from_deg(degrees)))
+                    within("change of the set heading", *degrees, -180.0..=180.0).and_then(
+                        |degrees| self.set_heading(now, set + SignedAngle::from_deg(degrees)),
+                    )
                 }
                 _ => Err(Refusal::because("the heading is set in AUTO only")),
             },

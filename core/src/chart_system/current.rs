@@ -3,7 +3,7 @@
 //! `V = LP(v_ground - v_water)` with a time constant of 40 s; on a course `c` the crab angle is
 //! `asin(-V_across / U_water)` and so is known at once on any other course.
 
-use super::position::Ground;
+use super::position::OverGround;
 use crate::units::{Course, Heading, Speed};
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub(super) struct Current {
 
 impl Current {
     /// Learns from one second on a steady course.
-    pub(super) fn learn(&mut self, ground: Ground, heading: Heading, water: Speed) {
+    pub(super) fn learn(&mut self, ground: OverGround, heading: Heading, water: Speed) {
         let component = |f: fn(f64) -> f64| {
             ground.speed.mps() * f(ground.course.rad()) - water.mps() * f(heading.rad())
         };

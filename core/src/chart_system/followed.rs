@@ -1,7 +1,7 @@
 //! Whether the autopilot follows: control that it has left, or under which it fell silent, is not commanded on (TCS-13).
 
 use super::ChartSystem;
-use super::control::Control;
+use super::commanding::Commanding;
 use crate::alerts::Alert;
 use crate::nmea::SteeringMode;
 use crate::time::Stamp;
@@ -37,7 +37,7 @@ impl Followed {
 impl ChartSystem {
     /// TCS-13: ends control that the autopilot has left, or under which it fell silent.
     pub(super) fn supervise(&mut self, now: Stamp) {
-        if self.control == Control::Off {
+        if self.control == Commanding::Off {
             return;
         }
         if let (Some(Some(mode)), Some(heard)) = (self.steering_at(now), &self.post.picture.htd) {
@@ -59,7 +59,7 @@ impl ChartSystem {
 
     /// When an autopilot that followed is taken to be silent.
     pub(super) fn silent_at(&self) -> Option<Stamp> {
-        if self.control == Control::Off {
+        if self.control == Commanding::Off {
             return None;
         }
         Some(self.followed.at? + SILENT_MS)

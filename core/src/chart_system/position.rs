@@ -28,7 +28,7 @@ pub(super) struct Here {
 
 /// Course and speed over ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ground {
+pub(super) struct OverGround {
     pub(super) course: Course,
     pub(super) speed: Speed,
     pub(super) mode: ModeIndicator,
@@ -136,12 +136,12 @@ impl ChartSystem {
     }
 
     /// Course and speed over ground, at most 5 s old.
-    pub(super) fn ground_at(&self, now: Stamp) -> Option<Ground> {
+    pub(super) fn ground_at(&self, now: Stamp) -> Option<OverGround> {
         let heard = self.post.picture.ground(now);
         let ground = self.post.fresh(heard, Quantity::Ground, now)?;
         let still = ground.speed.knots() < STILL_KNOTS;
         let course = ground.course.or(still.then(|| Course::from_deg(0.0)))?;
-        Some(Ground {
+        Some(OverGround {
             course,
             speed: ground.speed,
             mode: ground.mode,

@@ -1,7 +1,7 @@
 //! The seven sentences of each second (interface section 4).
 
 use super::ChartSystem;
-use super::control::Control;
+use super::commanding::Commanding;
 use crate::nmea::{
     CommandStatus, DataStatus, Gll, Htc, ModeIndicator, OverrideStatus, Pney1, Pney2, Reference,
     SteeringMode, TurnMode, Vhw, Vtg, Xte,
@@ -46,7 +46,7 @@ impl ChartSystem {
 
     /// The turn that the autopilot is to sail now in "Ti" (situations 3 and 4).
     fn commanded_turn(&self) -> Option<&Turn> {
-        let tracked = matches!(self.control, Control::Track { .. });
+        let tracked = matches!(self.control, Commanding::Track { .. });
         (tracked && self.phase()?.turning()).then(|| self.turn())?
     }
 
@@ -58,12 +58,12 @@ impl ChartSystem {
             ..Htc::default()
         };
         match self.control {
-            Control::Off => Htc {
+            Commanding::Off => Htc {
                 steering_mode: Some(SteeringMode::StandAlone),
                 turn_mode: Some(TurnMode::NotControlled),
                 ..base
             },
-            Control::Track { .. } => {
+            Commanding::Track { .. } => {
                 let turn = self.commanded_turn();
                 let track = turn.map_or_else(|| self.leg_course(), |turn| Some(turn.course_out()));
                 Htc {
@@ -74,7 +74,7 @@ impl ChartSystem {
                     ..base
                 }
             }
-            Control::Heading { leg } => self.heading_control(now, leg, base),
+            Commanding::Heading { leg } => self.heading_control(now, leg, base),
         }
     }
 

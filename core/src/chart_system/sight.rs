@@ -1,7 +1,7 @@
 //! What the chart system sees each second: the part of the route, cross-track distances, situation.
 
 use super::ChartSystem;
-use super::control::Control;
+use super::commanding::Commanding;
 use super::position::Here;
 use crate::route::{Phase, Progress};
 use crate::time::Stamp;
@@ -23,15 +23,15 @@ pub(super) struct CrossTracks {
 impl ChartSystem {
     /// Moves along the route with the position; ends control that is no longer possible.
     pub(super) fn monitor(&mut self, now: Stamp) {
-        if self.guard.take_jump() && self.control != Control::Off {
+        if self.guard.take_jump() && self.control != Commanding::Off {
             self.end_control("the position has jumped");
         }
         let here = self.here(now);
         match self.control {
-            Control::Track { .. } | Control::Heading { leg: None } if here.is_none() => {
+            Commanding::Track { .. } | Commanding::Heading { leg: None } if here.is_none() => {
                 self.end_control("no position"); // TCS-3
             }
-            Control::Heading { .. } if self.heading_at(now).is_none() => {
+            Commanding::Heading { .. } if self.heading_at(now).is_none() => {
                 self.end_control("no heading");
             }
             _ => {}
@@ -60,13 +60,13 @@ impl ChartSystem {
     /// What passing a line means for control.
     fn follow(&mut self, before: Option<Phase>, now: Phase) {
         if let (Some(Phase::Arc(_) | Phase::Forwarding(_)), Phase::Leg(_)) = (before, now)
-            && let Control::Track { turned } = &mut self.control
+            && let Commanding::Track { turned } = &mut self.control
         {
             *turned = true;
         }
         if now == Phase::Past && before.is_some_and(|before| before != now) {
-            let virtual_leg = matches!(self.control, Control::Heading { leg: Some(_) });
-            if self.control != Control::Off && !virtual_leg {
+            let virtual_leg = matches!(self.control, Commanding::Heading { leg: Some(_) });
+            if self.control != Commanding::Off && !virtual_leg {
                 self.end_control("end of route"); // situation 6
             } else {
                 self.why = "the last waypoint is passed".into();
@@ -118,13 +118,13 @@ impl ChartSystem {
     pub fn situation(&self) -> u8 {
         let phase = self.progress.map(|progress| progress.phase());
         match (self.control, phase) {
-            (Control::Heading { .. }, _) => 0,
-            (Control::Off, Some(Phase::Past)) => 6,
-            (Control::Off, _) | (_, None | Some(Phase::Past)) => 1,
-            (Control::Track { turned: false }, Some(Phase::Leg(_))) => 2,
-            (Control::Track { turned: true }, Some(Phase::Leg(_))) => 5,
-            (Control::Track { .. }, Some(Phase::Forwarding(_))) => 3,
-            (Control::Track { .. }, Some(Phase::Arc(_))) => 4,
+            (Commanding::Heading { .. }, _) => 0,
+            (Commanding::Off, Some(Phase::Past)) => 6,
+            (Commanding::Off, _) | (_, None | Some(Phase::Past)) => 1,
+            (Commanding::Track { turned: false }, Some(Phase::Leg(_))) => 2,
+            (Commanding::Track { turned: true }, Some(Phase::Leg(_))) => 5,
+            (Commanding::Track { .. }, Some(Phase::Forwarding(_))) => 3,
+            (Commanding::Track { .. }, Some(Phase::Arc(_))) => 4,
         }
     }
 

@@ -1,7 +1,7 @@
 //! The autopilot's side: HTD, RSA and ROR against what was commanded.
 
 use super::Report;
-use super::chart::{ChartRules, Commanded};
+use super::chart::{ChartRules, LastCommand};
 use crate::nmea::{
     DataStatus, Htd, LimitStatus, OverrideStatus, Ror, Sentence, SteeringMode, TurnMode,
 };
@@ -171,7 +171,7 @@ impl AutopilotRules {
     }
 
     /// HTC-1, TCS-9, TCS-10: what ends AutoNAV.
-    fn left(&mut self, clock: f64, commanded: &Commanded, report: &mut Report<'_>) {
+    fn left(&mut self, clock: f64, commanded: &LastCommand, report: &mut Report<'_>) {
         let late = clock - commanded.mode_since > ANSWER_S;
         let (rule, cause) = match commanded.htc.steering_mode {
             Some(SteeringMode::StandAlone) => ("TCS-10", "S"),

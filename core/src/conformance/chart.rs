@@ -17,7 +17,7 @@ const POSITION_S: f64 = 2.0;
 
 /// What the chart system last commanded, for the rules on the autopilot.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Commanded {
+pub(super) struct LastCommand {
     pub(super) htc: Htc,
     /// When this mode, this radius, this track began.
     pub(super) mode_since: f64,
@@ -29,7 +29,7 @@ pub(super) struct Commanded {
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct ChartRules {
     situation: Option<u8>,
-    commanded: Option<Commanded>,
+    commanded: Option<LastCommand>,
     was_active: bool,
     /// Track of the leg before the turn, degrees.
     leg_track: Option<f64>,
@@ -59,7 +59,7 @@ impl ChartRules {
         self.situation
     }
 
-    pub(super) const fn commanded(&self) -> Option<&Commanded> {
+    pub(super) const fn commanded(&self) -> Option<&LastCommand> {
         self.commanded.as_ref()
     }
 
@@ -101,13 +101,13 @@ impl ChartRules {
         };
         self.was_active = !matches!(self.situation, Some(1));
         self.begun = before.as_ref().map(|c| c.htc.steering_mode) != Some(htc.steering_mode);
-        let since = |same: fn(&Htc, &Htc) -> bool, at: fn(&Commanded) -> f64| {
+        let since = |same: fn(&Htc, &Htc) -> bool, at: fn(&LastCommand) -> f64| {
             before
                 .as_ref()
                 .filter(|c| same(&c.htc, &htc))
                 .map_or(clock, at)
         };
-        self.commanded = Some(Commanded {
+        self.commanded = Some(LastCommand {
             mode_since: since(|a, b| a.steering_mode == b.steering_mode, |c| c.mode_since),
             radius_since: since(|a, b| a.radius == b.radius, |c| c.radius_since),
             track_since: since(|a, b| a.track == b.track, |c| c.track_since),

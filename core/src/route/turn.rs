@@ -2,12 +2,12 @@
 
 use super::Leg;
 use crate::geo::{Plane, Point, Position, rhumb};
-use crate::units::{Course, Distance, Radius, Turn as Angle};
+use crate::units::{Course, Distance, Radius, SignedAngle};
 
 /// An arc that is tangent to two legs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
-    angle: Angle,
+    angle: SignedAngle,
     radius: Radius,
     tangent: Distance,
     forwarding: Distance,
@@ -50,7 +50,7 @@ impl Turn {
 
     /// Change of course, starboard positive.
     #[must_use]
-    pub const fn angle(&self) -> Angle {
+    pub const fn angle(&self) -> SignedAngle {
         self.angle
     }
     /// Its radius.
@@ -108,7 +108,7 @@ impl Turn {
         let centre = Plane::at(self.centre);
         let bearing = Point::default().bearing(centre.point(position));
         let first = self.course_in.deg() - side(self.angle) * 90.0;
-        let swept = Angle::from_deg(side(self.angle) * (bearing - first));
+        let swept = SignedAngle::from_deg(side(self.angle) * (bearing - first));
         Distance::from_m(swept.rad() * self.radius.m())
     }
     /// Length of the arc.
@@ -126,11 +126,11 @@ impl Turn {
 }
 
 /// `T = R tan(|D|/2)`.
-pub(super) fn tangent(angle: Angle, radius: Radius) -> Distance {
+pub(super) fn tangent(angle: SignedAngle, radius: Radius) -> Distance {
     Distance::from_m(radius.m() * libm::tan(angle.abs().rad() / 2.0))
 }
 
 /// +1 for a turn to starboard, -1 to port.
-fn side(angle: Angle) -> f64 {
+fn side(angle: SignedAngle) -> f64 {
     if angle.deg() < 0.0 { -1.0 } else { 1.0 }
 }

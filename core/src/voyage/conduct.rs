@@ -1,6 +1,6 @@
 //! Commands: to whom each goes, what the embedded voyage does with its own, what the officer presses.
 
-use super::officer::{Action, Officer, Watch};
+use super::officer::{Action, InView, Officer};
 use super::{Voyage, VoyageOutput};
 use crate::command::{FaultKind, Order, Origin};
 use crate::time::Stamp;
@@ -142,14 +142,14 @@ impl Voyage {
             .iter()
             .chain(chart.alerts())
             .collect();
-        let watch = Watch {
+        let view = InView {
             mode: autopilot.mode().name(),
             pending: autopilot.pending().is_some(),
             situation: chart.situation(),
             commanded: chart.control_name() != "off",
             alerts: &alerts,
         };
-        match self.officer.next(now, &watch) {
+        match self.officer.next(now, &view) {
             Some(Action::Command(action)) => {
                 // A refused command is tried again; the reason stands in the snapshot.
                 let _ = self.order(now, Origin::Script, &action, out);

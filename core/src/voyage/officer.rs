@@ -12,7 +12,7 @@ const TAKES_ALERT_MS: u64 = 8_000;
 const LOOKS_INTO_MS: u64 = 30_000;
 
 /// What the officer sees.
-pub(super) struct Watch<'a> {
+pub(super) struct InView<'a> {
     /// Mode of the autopilot.
     pub(super) mode: ModeName,
     /// An AutoNAV selection is open.
@@ -54,11 +54,11 @@ impl Officer {
     }
 
     /// The next button, once a second.
-    pub(super) fn next(&mut self, now: Stamp, watch: &Watch<'_>) -> Option<Action> {
+    pub(super) fn next(&mut self, now: Stamp, view: &InView<'_>) -> Option<Action> {
         if !self.on {
             return None;
         }
-        let alert = watch.alerts.iter().find(|alert| {
+        let alert = view.alerts.iter().find(|alert| {
             matches!(
                 alert.state,
                 State::Unacknowledged | State::RectifiedUnacknowledged
@@ -67,18 +67,18 @@ impl Officer {
         if let Some(alert) = alert {
             return Some(Action::Command(Order::Acknowledge(alert.alert.number())));
         }
-        let seen = (watch.mode, watch.situation, watch.commanded);
+        let seen = (view.mode, view.situation, view.commanded);
         if self.seen != Some(seen) {
             self.seen = Some(seen);
             self.since = now;
         }
         let waited = |ms: u64| now.since(self.since) >= ms;
-        let failed = watch
+        let failed = view
             .alerts
             .iter()
             .any(|alert| alert.alert == Alert::TrackFail);
         let wait = if failed { LOOKS_INTO_MS } else { 3_000 };
-        let action = match (watch.mode, watch.situation) {
+        let action = match (view.mode, view.situation) {
             (ModeName::Standby, _) if waited(4_000) => {
                 Action::Command(Order::Mode(ModeRequest::Auto))
             }
@@ -89,7 +89,7 @@ impl Officer {
             (ModeName::Auto, 1) if waited(6_000) => {
                 Action::Command(Order::Chart(ChartRequest::Track))
             }
-            (ModeName::Auto, 2 | 5) if watch.commanded && !watch.pending && waited(wait) => {
+            (ModeName::Auto, 2 | 5) if view.commanded && !view.pending && waited(wait) => {
                 Action::Command(Order::Mode(ModeRequest::Autonav))
             }
             _ => return None,

@@ -14,7 +14,7 @@ use crate::command;
 use crate::facts::Quantity;
 use crate::geo::Point;
 use crate::time::Stamp;
-use crate::units::{Course, METRES_PER_NAUTICAL_MILE, Radius, Turn};
+use crate::units::{Course, METRES_PER_NAUTICAL_MILE, Radius, SignedAngle};
 use alloc::format;
 use alloc::string::String;
 
@@ -119,7 +119,7 @@ impl Autopilot {
         // What was accepted follows slowly, so that many small steps are a large one.
         let dt = self.step_ms() as f64 / 1000.0;
         let (degrees, metres) = (LEG_FOLLOWS.0 * dt, LEG_FOLLOWS.1 * dt);
-        let course = course + Turn::from_deg(turned.deg().clamp(-degrees, degrees));
+        let course = course + SignedAngle::from_deg(turned.deg().clamp(-degrees, degrees));
         let point =
             nearest(&accepted, ship).towards(course.deg() + 90.0, moved.clamp(-metres, metres));
         self.remote.leg = Some((course, point));
@@ -158,7 +158,7 @@ impl Autopilot {
         let progress = path.progress(ship);
         let off = |course: Course| (line.course_in - course).abs().deg();
         let turned = path.side() * progress.along / turn.radius.m().max(1.0);
-        let tangent = path.course_in + Turn::from_deg(turned.to_degrees());
+        let tangent = path.course_in + SignedAngle::from_deg(turned.to_degrees());
         let left = (turn.course_out - tangent).abs().deg();
         let expected = if progress.part == Part::LegIn && off(path.course_in) <= LEG_STEP_DEG {
             Path::leg(path.point, path.course_in)
@@ -229,7 +229,7 @@ impl Autopilot {
             open,
         };
         let ahead = if open { TURN_AHEAD_DEG } else { turned * side };
-        let out = path.course_in + Turn::from_deg(side * ahead);
+        let out = path.course_in + SignedAngle::from_deg(side * ahead);
         Ok(Some(Path::turn(path.course_in, centre, radius, out)))
     }
 
@@ -325,7 +325,7 @@ impl Autopilot {
         } else {
             planned.max(asked)
         };
-        let out = path.course_in + Turn::from_deg(side * end.min(178.0));
+        let out = path.course_in + SignedAngle::from_deg(side * end.min(178.0));
         Ok(Some(Path::turn(path.course_in, centre, radius, out)))
     }
 

@@ -7,7 +7,7 @@
 use super::guard::{HeadingGuard, HeadingVerdict};
 use crate::picture::Source;
 use crate::time::Stamp;
-use crate::units::{Course, Heading, RateOfTurn, Turn};
+use crate::units::{Course, Heading, RateOfTurn, SignedAngle};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -209,7 +209,7 @@ impl Compass {
 
     fn judge(&mut self, now: Stamp, reading: &Reading<'_>, turning: Turning, jump: f64) {
         // A slow compass is carried on by the rate of turn until it is heard again.
-        let carried = reading.said + Turn::from_deg(turning.rate.deg_per_s() * reading.age);
+        let carried = reading.said + SignedAngle::from_deg(turning.rate.deg_per_s() * reading.age);
         let verdict = self.guard.judge(now, carried, turning.rate, jump);
         let stuck = self.stands_still(now, reading.said, turning);
         (self.heading, self.doubt) = match verdict {

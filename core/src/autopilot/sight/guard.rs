@@ -4,7 +4,7 @@
 
 use crate::geo::{Plane, Point, Position};
 use crate::time::Stamp;
-use crate::units::{Course, Heading, RateOfTurn, Speed, Turn};
+use crate::units::{Course, Heading, RateOfTurn, SignedAngle, Speed};
 use serde::{Deserialize, Serialize};
 
 /// A rejected heading is bridged by the rate of turn for so long (FA8).
@@ -53,7 +53,7 @@ impl HeadingGuard {
             return HeadingVerdict::Good(read);
         };
         let dt = now.since(at) as f64 / 1000.0;
-        let predicted = last + Turn::from_deg(rate.deg_per_s() * dt);
+        let predicted = last + SignedAngle::from_deg(rate.deg_per_s() * dt);
         if self.invalid {
             return self.regain(now, read, step);
         }

@@ -9,19 +9,19 @@
 //! the third-order reference model, whose acceleration winds up where the rate is limited. The bias in
 //! `delta_ss` is learned by the integral; it is held in turns and runs back while the order is cut (3.3).
 
-use super::settings::{Ship, SteeringSettings};
+use super::settings::{ShipAtSpeed, SteeringSettings};
 use super::wrap;
 use serde::{Deserialize, Serialize};
 
-/// Reference of heading (rad), rate (rad/s) and acceleration (rad/s^2).
+/// ReferenceModel of heading (rad), rate (rad/s) and acceleration (rad/s^2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Reference {
+pub(super) struct ReferenceModel {
     pub(super) heading: f64,
     pub(super) rate: f64,
     pub(super) acceleration: f64,
 }
 
-impl Reference {
+impl ReferenceModel {
     /// Moves towards `set` at no more than `rate` and `acceleration`, without overshoot.
     pub(super) fn step(&mut self, set: f64, rate: f64, acceleration: f64, dt: f64) {
         let left = wrap(set - self.heading);
@@ -86,8 +86,8 @@ impl Regulator {
     pub(super) fn step(
         &mut self,
         (heading, rate): (f64, f64),
-        reference: &Reference,
-        (ship, settings): (&Ship, &SteeringSettings),
+        reference: &ReferenceModel,
+        (ship, settings): (&ShipAtSpeed, &SteeringSettings),
         cut: f64,
         dt: f64,
     ) -> Terms {
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn the_reference_reaches_the_heading_without_passing_it() {
         for (change, rate) in [(0.17, 0.007), (0.52, 0.007), (1.4, 0.007), (-3.0, 0.017)] {
-            let mut reference = Reference::default();
+            let mut reference = ReferenceModel::default();
             let (mut furthest, mut fastest) = (0.0_f64, 0.0_f64);
             for _ in 0..12_000 {
                 reference.step(change, rate, 5e-4, 0.1);

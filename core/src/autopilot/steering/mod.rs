@@ -10,10 +10,10 @@
 //!
 //! **Invariant:** `|order| <= limit` and `|order - last order| <= slew dt`, whatever is demanded (FA6).
 
-mod ground;
 mod heading;
 mod observer;
 mod path;
+mod reckoning;
 mod rudder;
 mod settings;
 mod ship;
@@ -24,7 +24,7 @@ pub use settings::SteeringSettings;
 
 use crate::geo::Point;
 use crate::units::{
-    Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, Speed, Turn, wrap_180,
+    Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle, Speed, wrap_180,
 };
 use core::f64::consts::PI;
 use serde::{Deserialize, Serialize};
@@ -118,8 +118,8 @@ const RUDDER_SHARE: f64 = 0.7;
 pub struct Steering {
     settings: SteeringSettings,
     observer: observer::Observer,
-    ground: ground::Ground,
-    reference: heading::Reference,
+    ground: reckoning::Reckoning,
+    reference: heading::ReferenceModel,
     regulator: heading::Regulator,
     guidance: track::Guidance,
     rudder: rudder::Rudder,
@@ -134,8 +134,8 @@ impl Steering {
         Self {
             settings,
             observer: observer::Observer::new(),
-            ground: ground::Ground::default(),
-            reference: heading::Reference::default(),
+            ground: reckoning::Reckoning::default(),
+            reference: heading::ReferenceModel::default(),
             regulator: heading::Regulator::default(),
             guidance: track::Guidance::default(),
             rudder: rudder::Rudder::default(),
@@ -159,9 +159,9 @@ impl Steering {
     /// position and current begin anew, since they were not kept up; what was learned of the bias stays.
     pub fn engage(&mut self, order_now: RudderAngle, m: &Measured) {
         self.observer = observer::Observer::new();
-        self.ground = ground::Ground::default();
+        self.ground = reckoning::Reckoning::default();
         self.guidance = track::Guidance::default();
-        self.reference = heading::Reference {
+        self.reference = heading::ReferenceModel {
             heading: m.heading.rad(),
             rate: m.rate.rad_per_s(),
             acceleration: 0.0,
@@ -172,7 +172,7 @@ impl Steering {
     }
 
     /// Another compass is read: its heading differs by `change` from the one before, and the ship has not turned (AP-9).
-    pub fn another_compass(&mut self, change: Turn) {
+    pub fn another_compass(&mut self, change: SignedAngle) {
         self.observer.turn_frame(change.rad());
         self.reference.heading = wrap(self.reference.heading + change.rad());
         self.rudder.join();
@@ -215,7 +215,7 @@ impl Steering {
             }
             (Demand::Heading { set, by }, _) => {
                 if self.change_law(Law::Heading) {
-                    self.reference = heading::Reference {
+                    self.reference = heading::ReferenceModel {
                         heading: motion.heading,
                         rate: motion.rate,
                         acceleration: 0.0,

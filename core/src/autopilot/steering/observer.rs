@@ -13,7 +13,7 @@
 //! the rate unbiased in tight turns. An innovation beyond 8 degrees is a jump: not used for a second, then
 //! the filter begins anew there (FA8).
 
-use super::settings::{Ship, SteeringSettings};
+use super::settings::{ShipAtSpeed, SteeringSettings};
 use super::wrap;
 use serde::{Deserialize, Serialize};
 
@@ -87,7 +87,7 @@ impl Observer {
         heading: f64,
         rate: f64,
         rudder: f64,
-        ship: &Ship,
+        ship: &ShipAtSpeed,
         settings: &SteeringSettings,
         dt: f64,
     ) -> Motion {
@@ -132,7 +132,7 @@ impl Observer {
         self.waves += (heard - self.waves) * dt / SEA_TIME;
     }
 
-    fn predict(&mut self, rudder: f64, ship: &Ship, settings: &SteeringSettings, dt: f64) {
+    fn predict(&mut self, rudder: f64, ship: &ShipAtSpeed, settings: &SteeringSettings, dt: f64) {
         let w = settings.wave_frequency.max(0.05);
         let damped = w * libm::sqrt(1.0 - DAMPING * DAMPING);
         let (fade, sine, cosine) = (

@@ -111,7 +111,7 @@ impl Default for SteeringSettings {
 
 /// The ship at one speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ship {
+pub(super) struct ShipAtSpeed {
     /// Speed through the water, m/s, at least the minimum.
     pub(super) speed: f64,
     /// Speed as a part of the reference speed.
@@ -167,14 +167,14 @@ impl SteeringSettings {
         low
     }
 
-    pub(super) fn at_speed(&self, speed: f64) -> Ship {
+    pub(super) fn at_speed(&self, speed: f64) -> ShipAtSpeed {
         let reference = self.reference_speed.mps().max(0.5);
         let speed = speed.max(self.minimum_speed.mps()).max(0.5);
         let ratio = speed / reference;
         let inertia = self.time_constant / self.gain / (ratio * ratio);
         let share = self.quick_share.clamp(0.0, 0.5);
         let slow = (self.time_constant - share * self.quick_time) / (1.0 - share);
-        Ship {
+        ShipAtSpeed {
             speed,
             ratio,
             inertia,
@@ -188,7 +188,7 @@ impl SteeringSettings {
     }
 }
 
-impl Ship {
+impl ShipAtSpeed {
     /// Rudder that holds a rate of turn: `delta_ss(r)`, rad.
     pub(super) fn steady_rudder(&self, rate: f64) -> f64 {
         let q = rate * self.length / self.speed;

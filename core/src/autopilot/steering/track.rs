@@ -14,10 +14,10 @@
 //! A change of path fades in over 10 s, and a turn that is done keeps its window until it has passed, so
 //! that no step reaches the rudder.
 
-use super::ground::Sailing;
-use super::heading::Reference;
+use super::heading::ReferenceModel;
 use super::path::Path;
-use super::settings::{Ship, SteeringSettings};
+use super::reckoning::Sailing;
+use super::settings::{ShipAtSpeed, SteeringSettings};
 use super::wrap;
 use crate::geo::Point;
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ pub(super) struct Guidance {
 /// What the heading loop is to do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Steer {
-    pub(super) reference: Reference,
+    pub(super) reference: ReferenceModel,
     /// Cross-track distance from the planned path, m.
     pub(super) cross_track: f64,
 }
@@ -63,7 +63,7 @@ impl Guidance {
         path: &Path,
         p: Point,
         (sailing, heading): (&Sailing, f64),
-        (ship, settings): (&Ship, &SteeringSettings),
+        (ship, settings): (&ShipAtSpeed, &SteeringSettings),
         dt: f64,
     ) -> Steer {
         let ground_speed = libm::hypot(sailing.velocity.north, sailing.velocity.east).max(0.5);
@@ -131,7 +131,7 @@ impl Guidance {
         let bow_in = settings.sway / water_speed;
         let wanted_heading = wrap(course - crab + bow_in * rate);
         debug_assert!(wanted_heading.is_finite() && heading.is_finite());
-        let reference = Reference {
+        let reference = ReferenceModel {
             heading: wanted_heading,
             rate: rate + bow_in * bend,
             acceleration: bend,

@@ -17,7 +17,7 @@ const JUMP: f64 = 100.0;
 
 /// Estimated position and current.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Ground {
+pub(super) struct Reckoning {
     current: Point,
     samples: f64,
     last_velocity: Option<Point>,
@@ -38,7 +38,7 @@ pub(super) struct Sailing {
     pub(super) current: Point,
 }
 
-impl Ground {
+impl Reckoning {
     pub(super) fn step(
         &mut self,
         m: &Measured,

@@ -1,7 +1,7 @@
 //! The indications before and after wheel-over (TCS-11, MSC.74(69) 5.1.5 and 5.1.6).
 
 use super::ChartSystem;
-use super::control::Control;
+use super::commanding::Commanding;
 use crate::alerts::{Alert, Alerts};
 use crate::route::Phase;
 use crate::time::Stamp;
@@ -15,7 +15,7 @@ const EARLY_LEAST_S: f64 = 60.0;
 
 /// What has been indicated and confirmed for the turn that comes or is sailed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Watch {
+pub(super) struct TurnIndications {
     alerts: Alerts,
     /// Leg at whose end the turn is.
     leg: Option<usize>,
@@ -23,7 +23,7 @@ pub(super) struct Watch {
     wheel_over: Option<Stamp>,
 }
 
-impl Watch {
+impl TurnIndications {
     pub(super) const fn alerts(&self) -> &Alerts {
         &self.alerts
     }
@@ -79,8 +79,8 @@ impl ChartSystem {
         let seconds = self.wheel_over_s(now);
         let phase = self.progress.map(|progress| progress.phase());
         let leg = self.progress.and_then(|progress| progress.leg());
-        let controls = self.control != Control::Off
-            && !matches!(self.control, Control::Heading { leg: Some(_) });
+        let controls = self.control != Commanding::Off
+            && !matches!(self.control, Commanding::Heading { leg: Some(_) });
         let lost =
             self.here(now).is_none() && self.progress.is_none() && self.shown.display.is_some();
         let outside = controls && self.outside();

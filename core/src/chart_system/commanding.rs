@@ -7,7 +7,7 @@ use crate::command::{ChartRequest, Refusal};
 use crate::nmea::SteeringMode;
 use crate::route::{Phase, Progress};
 use crate::time::Stamp;
-use crate::units::{Course, Turn};
+use crate::units::{Course, SignedAngle};
 use alloc::format;
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
@@ -18,7 +18,7 @@ const TOO_CLOSE_S: f64 = 15.0;
 /// What the chart system commands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Control {
+pub(super) enum Commanding {
     /// Nothing: HTC mode S.
     Off,
     /// Track control, HTC mode T.
@@ -33,7 +33,7 @@ pub(super) enum Control {
     },
 }
 
-impl Control {
+impl Commanding {
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Off => "off",
@@ -66,7 +66,7 @@ impl ChartSystem {
     }
 
     fn begin_track(&mut self, now: Stamp) -> Result<String, Refusal> {
-        if matches!(self.control, Control::Track { .. }) {
+        if matches!(self.control, Commanding::Track { .. }) {
             return Ok("track control is commanded already".into());
         }
         if self.route.is_none() {
@@ -88,13 +88,13 @@ impl ChartSystem {
         }
         self.progress = Some(place);
         self.safe_approach(now)?;
-        self.begin(now, Control::Track { turned: false });
+        self.begin(now, Commanding::Track { turned: false });
         self.why = String::from("track control commanded");
         Ok("track control commanded, waiting for the autopilot".into())
     }
 
     fn begin_heading(&mut self, now: Stamp) -> Result<String, Refusal> {
-        if matches!(self.control, Control::Heading { .. }) {
+        if matches!(self.control, Commanding::Heading { .. }) {
             return Ok("heading control is commanded already".into());
         }
         let Some(heading) = self.heading_at(now) else {
@@ -108,7 +108,7 @@ impl ChartSystem {
         let leg = if !sailing {
             // TCS-12: a virtual leg on the present heading.
             Some(Course::from_deg(libm::round(heading.deg() * 10.0) / 10.0))
-        } else if matches!(self.control, Control::Track { .. }) {
+        } else if matches!(self.control, Commanding::Track { .. }) {
             None // TCS-6: at any time, without leaving AutoNAV
         } else {
             let place = self.place_on_route(now)?;
@@ -122,14 +122,14 @@ impl ChartSystem {
             self.safe_approach(now)?;
             None
         };
-        self.begin(now, Control::Heading { leg });
+        self.begin(now, Commanding::Heading { leg });
         self.why = String::from("heading control commanded");
         Ok("heading control commanded, waiting for the autopilot".into())
     }
 
     /// Control begins, or changes its kind, which does not end what the autopilot follows.
-    fn begin(&mut self, now: Stamp, control: Control) {
-        if self.control == Control::Off {
+    fn begin(&mut self, now: Stamp, control: Commanding) {
+        if self.control == Commanding::Off {
             self.followed = Followed::begin(now);
         }
         self.control = control;
@@ -137,7 +137,7 @@ impl ChartSystem {
     }
 
     fn stop(&mut self) -> String {
-        if self.control == Control::Off {
+        if self.control == Commanding::Off {
             return "control was off".into();
         }
         self.end_control("stopped by the officer");
@@ -146,7 +146,7 @@ impl ChartSystem {
 
     /// Control ends; HTC goes to S (TCS-3, TCS-10).
     pub(super) fn end_control(&mut self, why: &str) {
-        self.control = Control::Off;
+        self.control = Commanding::Off;
         self.why = format!("control ended: {why}");
     }
 
@@ -158,7 +158,7 @@ impl ChartSystem {
         match (&self.route, self.control, self.progress) {
             (None, ..) => refuse("no route"),
             // A ship under control is where its control has brought it.
-            (Some(_), Control::Heading { leg: None }, Some(progress)) => Ok(progress),
+            (Some(_), Commanding::Heading { leg: None }, Some(progress)) => Ok(progress),
             (Some(route), ..) => Ok(Progress::locate(route, here.position, self.forwarding)),
         }
     }
@@ -176,7 +176,7 @@ impl ChartSystem {
             return refuse(format!("too far from the track: {:.2} nm", off.abs().nm()));
         }
         if let Some(heading) = self.heading_at(now) {
-            let angle: Turn = heading.as_course() - leg.course();
+            let angle: SignedAngle = heading.as_course() - leg.course();
             if angle.abs().deg() > self.config.begin_angle_deg {
                 return refuse(format!(
                     "the heading is {:.0} degrees off the track",
@@ -197,9 +197,9 @@ impl ChartSystem {
     #[must_use]
     pub fn reason(&self) -> String {
         let wanted = match self.control {
-            Control::Off => return self.why.clone(),
-            Control::Track { .. } => (SteeringMode::TrackControl, "track control"),
-            Control::Heading { .. } => (SteeringMode::HeadingControl, "heading control"),
+            Commanding::Off => return self.why.clone(),
+            Commanding::Track { .. } => (SteeringMode::TrackControl, "track control"),
+            Commanding::Heading { .. } => (SteeringMode::HeadingControl, "heading control"),
         };
         match self.steering_at(self.now) {
             Some(Some(mode)) if mode == wanted.0 => {
