@@ -1,5 +1,6 @@
 //! The project's build task: `cargo xtask build | serve | watch | test`.
 
+mod deny;
 mod page;
 mod serve;
 mod test;

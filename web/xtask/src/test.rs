@@ -1,5 +1,6 @@
 //! `test`: everything that must hold before a change is taken, step by step, each with its name and time.
 
+use crate::deny;
 use crate::page;
 use crate::serve::server;
 use crate::tools::{BARE, WASM, browser, fonts, gpsd, has_target, wasm_target};
@@ -25,6 +26,11 @@ pub(crate) fn test() -> Outcome {
     )?;
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
     step("files under 400 lines, one subject each", file_lengths)?;
+    let mut not_run = None;
+    step("dependencies: licences, sources, advisories", || {
+        not_run = deny::dependencies()?;
+        Ok(())
+    })?;
     step("clippy, native", || {
         run(cargo(&[
             "clippy",
@@ -89,9 +95,17 @@ pub(crate) fn test() -> Outcome {
         run(cargo(&["test", "-p", "wheelover-tests"]).env("WHEELOVER_BIN", binary))
     })?;
     eprintln!(
-        "everything passed in {:.1} min",
+        "everything {} in {:.1} min",
+        if not_run.is_some() {
+            "that was run passed"
+        } else {
+            "passed"
+        },
         started.elapsed().as_secs_f64() / 60.0
     );
+    if let Some(not_run) = not_run {
+        eprintln!("{not_run}");
+    }
     Ok(())
 }
 

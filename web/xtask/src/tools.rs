@@ -1,8 +1,8 @@
 //! What the build and the tests need from the machine: the wasm target, a browser and its driver, gpsd's decoder.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
-use xtask::shell::{Failure, Outcome, has, output, root, run};
+use xtask::shell::{Failure, Outcome, cargo, has, output, root, run, target};
 
 /// The target of the page.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
@@ -89,6 +89,34 @@ pub(crate) fn gpsd() -> Outcome {
         &["gpsd-clients"],
         "the comparison with gpsd needs gpsdecode on the path; install gpsd's command-line tools",
     )
+}
+
+/// The version of `cargo deny` whose findings a run repeats.
+const CARGO_DENY: &str = "0.20.2";
+
+/// The program that checks the dependencies: the one on the path, or one that is built once into the folder of what may be deleted.
+///
+/// # Errors
+/// It is missing and cannot be built.
+pub(crate) fn cargo_deny() -> Result<PathBuf, Failure> {
+    let name = format!("cargo-deny{}", std::env::consts::EXE_SUFFIX);
+    if has(&name) {
+        return Ok(PathBuf::from(name));
+    }
+    let folder = target().join("tools");
+    let program = folder.join("bin").join(&name);
+    let same = |said: String| said.ends_with(CARGO_DENY);
+    if output(Command::new(&program).arg("--version")).is_some_and(same) {
+        return Ok(program);
+    }
+    eprintln!("building cargo-deny {CARGO_DENY}");
+    let mut install = cargo(&["install", "--quiet", "--locked", "cargo-deny"]);
+    // It runs for two seconds: built without optimisation and without what it needs to stand alone, it is there in a minute.
+    install.args(["--version", CARGO_DENY, "--debug", "--no-default-features"]);
+    install.arg("--root").arg(&folder);
+    install.arg("--target-dir").arg(folder.join("build"));
+    run(install.env("CARGO_PROFILE_DEV_DEBUG", "0"))?;
+    Ok(program)
 }
 
 /// Installs packages of the system; `by_hand` says what to do where that fails.
