@@ -18,7 +18,7 @@ fn heard(bytes: &[u8], until: u64) -> Vec<String> {
     let mut autopilot = Autopilot::new(
         ports,
         Settings::default(),
-        SteeringSettings::default(),
+        Some(SteeringSettings::default()),
         Stamp(0),
     );
     let mut out = Vec::new();

@@ -105,6 +105,7 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         let (store, said) = Store::open(path)?;
         cautions.extend(said);
         cautions.extend(store.restore(|key, value| config.set(key, value)));
+        cautions.extend(config.two_ships());
         keeper = Some(Keeper::begin(store)?);
     }
     let (listener, addr) = listen(&options).await?;

@@ -44,6 +44,8 @@ pub struct Autopilot {
     post: Post,
     alerts: Alerts,
     settings: Settings,
+    /// The constants of the ship that was named in the configuration (AP-20).
+    named_ship: Option<SteeringSettings>,
     steering: Steering,
     mode: Mode,
     /// Until when the operator's AutoNAV selection stands.
@@ -75,18 +77,17 @@ pub struct Autopilot {
 }
 
 impl Autopilot {
-    /// An autopilot in STANDBY with these ports.
+    /// An autopilot in STANDBY with these ports; `named_ship` is a ship whose constants are known by her name (AP-20).
     #[must_use]
     pub fn new(
         ports: Vec<PortSetup>,
         settings: Settings,
-        ship: SteeringSettings,
+        named_ship: Option<SteeringSettings>,
         now: Stamp,
     ) -> Self {
-        let mut ship = ship;
-        ship.slew = settings.rudder_slew;
-        ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
+        let ship = SteeringSettings::of(named_ship.as_ref(), &settings);
         Self {
+            named_ship,
             post: Post::new(Role::Autopilot, ports),
             alerts: Alerts::default(),
             settings,

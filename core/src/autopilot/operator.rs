@@ -1,11 +1,12 @@
 //! What the operator asks for, and the answer (AP-6, HTC-4).
 
 use super::modes::Event;
+use super::steering::SteeringSettings;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
 use crate::time::Stamp;
-use crate::units::{Heading, RudderAngle, SignedAngle};
+use crate::units::{Heading, SignedAngle};
 use alloc::format;
 use alloc::string::String;
 use core::ops::RangeInclusive;
@@ -60,10 +61,8 @@ impl Autopilot {
             }
             Order::Setting { key, value } => {
                 self.settings.set(key, value).map_err(Refusal::because)?;
-                let ship = self.steering.settings_mut();
-                *ship = ship.clone().given(&self.settings);
-                ship.slew = self.settings.rudder_slew;
-                ship.rudder_max = RudderAngle::from_deg(self.settings.rudder_max);
+                let ship = SteeringSettings::of(self.named_ship.as_ref(), &self.settings);
+                self.steering.change(ship);
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal::because("not a command to the autopilot")),

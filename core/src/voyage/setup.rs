@@ -28,8 +28,8 @@ pub struct VoyageConfig {
     pub ports: Vec<(Role, PortSetup)>,
     /// Settings of the autopilot.
     pub settings: Settings,
-    /// The ship as the steering sees her.
-    pub ship: SteeringSettings,
+    /// The ship that is named, as the steering sees her; none where only the settings know her (AP-20).
+    pub ship: Option<SteeringSettings>,
     /// The chart system; its ports are made here.
     pub chart: ChartConfig,
     /// The simulated ship; its ports are made here.
@@ -72,7 +72,7 @@ impl Voyage {
             roles: Role::ALL.to_vec(),
             ports: Vec::new(),
             settings,
-            ship: SteeringSettings::default(),
+            ship: Some(SteeringSettings::default()),
             chart: ChartConfig {
                 route: Some(route.clone()),
                 ..ChartConfig::default()

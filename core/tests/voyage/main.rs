@@ -3,6 +3,7 @@
 
 mod absurd;
 mod chart_lost;
+mod constants;
 mod cross_track;
 mod entry;
 mod monte_carlo;

@@ -99,7 +99,7 @@ impl Rig {
         let autopilot = Autopilot::new(
             ports.to_vec(),
             settings,
-            SteeringSettings::default(),
+            Some(SteeringSettings::default()),
             Stamp(0),
         );
         Self {

@@ -70,6 +70,10 @@ fn settings(config: &Config, out: &mut String) -> std::fmt::Result {
 fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
     let ship = &config.ship;
     writeln!(out, "\n[ship]")?;
+    if config.roles.contains(&Role::Autopilot) {
+        let constants = config.constants_in_force();
+        writeln!(out, "# the constants that steer (AP-20): {constants}")?;
+    }
     if ship.model.is_some() && built::ship_uses("model", &config.roles) {
         writeln!(out, "model = \"mariner\"")?;
     }

@@ -175,6 +175,28 @@ fn what_is_in_force_reads_back_the_same() {
     assert!(first.contains("rudder_limit = 12.0"));
 }
 
+// AP-20
+#[test]
+fn whose_constants_steer_is_said() {
+    let says = |text: &str, words: &str| {
+        let shown = in_force(&from_text("w.toml", text, None).unwrap());
+        assert!(shown.contains(words), "{shown}");
+    };
+    let ship = "roles = [\"autopilot\"]\n[ship]\n";
+    let own = "gain_per_s = 0.1\ntime_constant_s = 60.0\n";
+    says(ship, "cautious ones");
+    says(
+        &format!("{ship}model = \"mariner\"\n"),
+        "those of the model",
+    );
+    says(&format!("{ship}{own}"), "as given");
+    says(&format!("{ship}model = \"mariner\"\n{own}"), "as given");
+    says("roles = [\"autopilot\", \"world\"]\n", "those of the model");
+    let both = format!("{ship}model = \"mariner\"\n{own}");
+    let said = from_text("w.toml", &both, None).unwrap().two_ships();
+    assert!(said.unwrap().contains("time_constant_s steer"));
+}
+
 // HTC 14
 #[test]
 fn a_port_says_whether_a_null_status_commands() {

@@ -1,7 +1,7 @@
 //! From a configuration to the stations that run here.
 
 use super::types::Config;
-use wheelover_core::autopilot::steering::SteeringSettings;
+use wheelover_core::autopilot::steering::{SteeringSettings, has_own_constants};
 use wheelover_core::chart_system::ChartConfig;
 use wheelover_core::route::embedded_start;
 use wheelover_core::station::PortSetup;
@@ -35,20 +35,33 @@ impl Config {
             roles: self.roles.clone(),
             ports: ports.collect(),
             settings: self.settings.clone(),
-            ship: self.steering(),
+            ship: self.named_ship(),
             chart,
             world: self.world(),
         })
     }
 
-    /// AP-20: the constants of the named ship, else those that were given, else cautious ones.
-    fn steering(&self) -> SteeringSettings {
+    /// AP-20: a ship that is named, by `model` or by running here, brings her constants; her own ones go before.
+    fn named_ship(&self) -> Option<SteeringSettings> {
         let named = self.ship.model.is_some() || self.roles.contains(&Role::World);
-        if named {
-            SteeringSettings::default()
+        named.then(SteeringSettings::default)
+    }
+
+    /// Whose constants steer, for the engineer who checks the configuration (AP-20).
+    pub(super) fn constants_in_force(&self) -> &'static str {
+        if has_own_constants(&self.settings) {
+            "gain_per_s and time_constant_s, as given"
+        } else if self.ship.model.is_some() || self.roles.contains(&Role::World) {
+            "those of the model \"mariner\""
         } else {
-            SteeringSettings::cautious(&self.settings)
+            "cautious ones, scaled from length_m and speed_kn: no track control"
         }
+    }
+
+    /// A ship that is named and has constants of her own is steered by her own.
+    pub(crate) fn two_ships(&self) -> Option<String> {
+        let both = self.ship.model.is_some() && has_own_constants(&self.settings);
+        both.then(|| "[ship]: gain_per_s and time_constant_s steer, not those of model".to_owned())
     }
 
     /// The simulated ship: where she is told to be, else at the beginning of the route.

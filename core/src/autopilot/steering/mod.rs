@@ -21,6 +21,7 @@ mod track;
 
 pub use path::{Part, Path, PathTurn, Progress};
 pub use settings::SteeringSettings;
+pub use ship::has_own_constants;
 
 use crate::geo::Point;
 use crate::units::{
@@ -150,9 +151,9 @@ impl Steering {
         &self.settings
     }
 
-    /// The settings, to be changed between steps.
-    pub const fn settings_mut(&mut self) -> &mut SteeringSettings {
-        &mut self.settings
+    /// Other settings from the next step on.
+    pub fn change(&mut self, settings: SteeringSettings) {
+        self.settings = settings;
     }
 
     /// Takes over from another order (hand steering, another mode) without a bump. Estimates of heading,

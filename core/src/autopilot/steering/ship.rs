@@ -6,7 +6,7 @@
 
 use super::settings::SteeringSettings;
 use crate::settings::Settings;
-use crate::units::{RateOfTurn, Speed};
+use crate::units::{RateOfTurn, RudderAngle, Speed};
 
 /// Length and speed where nobody gave them.
 const LENGTH_M: f64 = 100.0;
@@ -16,6 +16,19 @@ const CAUTIOUS_GAIN: f64 = 1.3;
 const CAUTIOUS_FREQUENCY: f64 = 0.7;
 
 impl SteeringSettings {
+    /// The ship as the settings have her: her own constants where gain and time constant are given, else those of the
+    /// named ship, else cautious ones. The one rule for the start and for every change (AP-20).
+    #[must_use]
+    pub fn of(named: Option<&Self>, settings: &Settings) -> Self {
+        let mut ship = match named {
+            Some(named) if !has_own_constants(settings) => named.clone(),
+            _ => Self::cautious(settings),
+        };
+        ship.slew = settings.rudder_slew;
+        ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
+        ship
+    }
+
     /// A ship of whom length and speed are known at best; what else is given in the settings is taken from there.
     #[must_use]
     pub fn cautious(settings: &Settings) -> Self {
@@ -48,8 +61,7 @@ impl SteeringSettings {
     }
 
     /// With the constants that are given in the settings.
-    #[must_use]
-    pub fn given(mut self, settings: &Settings) -> Self {
+    fn given(mut self, settings: &Settings) -> Self {
         let (Some(gain), Some(time_constant)) = (settings.gain_per_s, settings.time_constant_s)
         else {
             return self;
@@ -79,6 +91,12 @@ impl SteeringSettings {
     }
 }
 
+/// Whether the settings hold her own constants: gain and time constant go together (AP-20).
+#[must_use]
+pub const fn has_own_constants(settings: &Settings) -> bool {
+    settings.gain_per_s.is_some() && settings.time_constant_s.is_some()
+}
+
 /// The steady turn of a first-order ship.
 fn straight(gain: f64, length: f64, speed: Speed) -> [f64; 4] {
     [0.0, speed.mps() / (gain * length), 0.0, 0.0]
@@ -102,6 +120,26 @@ mod tests {
         assert!((cautious.time_constant - like.time_constant).abs() < 1e-9);
         assert!((cautious.look_ahead - like.look_ahead).abs() < 1e-9);
         assert!(cautious.natural_frequency < like.natural_frequency);
+    }
+
+    // AP-20: one rule, whatever was given before
+    #[test]
+    fn her_own_constants_come_before_a_named_ship_and_a_named_ship_before_cautious_ones() {
+        let named = SteeringSettings::default();
+        let mut settings = Settings {
+            rudder_slew: named.slew,
+            ..Settings::default()
+        };
+        assert!(!SteeringSettings::of(None, &settings).known);
+        assert_eq!(SteeringSettings::of(Some(&named), &settings), named);
+        settings.gain_per_s = Some(0.1);
+        assert_eq!(SteeringSettings::of(Some(&named), &settings), named);
+        settings.time_constant_s = Some(60.0);
+        let own = SteeringSettings::of(Some(&named), &settings);
+        assert_eq!((own.gain, own.time_constant), (0.1, 60.0));
+        assert_eq!(own, SteeringSettings::of(None, &settings));
+        settings.gain_per_s = None;
+        assert_eq!(SteeringSettings::of(Some(&named), &settings), named);
     }
 
     #[test]
