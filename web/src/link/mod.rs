@@ -4,6 +4,7 @@
 //!
 //! **Invariant:** what cannot be sent at once is not sent later (AP-25): a command without a live link is answered here.
 
+pub mod frames;
 mod socket;
 mod steady;
 mod voyage;

@@ -1,21 +1,19 @@
 //! The WebSocket to a server: hello, lines and snapshots down; acknowledgements, resume and commands up. Comes back by itself.
 
+use super::frames::read;
 use super::{Source, receive, steady};
 use crate::deck::Deck;
 use js_sys::Reflect;
 use leptos::prelude::*;
 use serde::Serialize;
-use serde::de::DeserializeOwned;
-use serde_wasm_bindgen::{Serializer, from_value};
+use serde_wasm_bindgen::Serializer;
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::time::Duration;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CloseEvent, MessageEvent, WebSocket};
-use wheelover_core::view::{
-    Answer, Down, Hello, Lines, PortsDocument, RouteDocument, Snapshot, Up,
-};
+use wheelover_core::view::{Down, Up};
 
 /// First wait before a new connection, milliseconds; doubled up to [`LONGEST_WAIT`].
 const FIRST_WAIT: u64 = 250;
@@ -142,8 +140,7 @@ impl Socket {
     }
 
     fn hear(&self, text: &str, came: f64) {
-        let frame = js_sys::JSON::parse(text).ok().and_then(read);
-        match frame {
+        match read(text) {
             Some(frame) => {
                 if matches!(frame, Down::Hello(_)) {
                     self.state.borrow_mut().wait = FIRST_WAIT;
@@ -230,25 +227,4 @@ fn dial() -> Option<WebSocket> {
     };
     let host = location.host().ok()?;
     WebSocket::new(&format!("{scheme}://{host}/ws?lines=resumed")).ok()
-}
-
-/// Reads one frame; nothing where it cannot be read.
-fn read(frame: JsValue) -> Option<Down> {
-    fn body<T: DeserializeOwned>(frame: JsValue) -> Option<T> {
-        from_value(frame).ok()
-    }
-    let kind = Reflect::get(&frame, &JsValue::from_str("type"))
-        .ok()?
-        .as_string()?;
-    Some(match kind.as_str() {
-        "hello" => Down::Hello(body::<Hello>(frame)?),
-        "snapshot" => Down::Snapshot(body::<Snapshot>(frame)?),
-        "lines" => Down::Lines(body::<Lines>(frame)?),
-        "route" => Down::Route(body::<RouteDocument>(frame)?),
-        "ports" => Down::Ports(body::<PortsDocument>(frame)?),
-        "answer" => Down::Answer(body::<Answer>(frame)?),
-        // The page shows neither.
-        "settings" | "gap" => Down::Gap { lost: 0 },
-        _ => return None,
-    })
 }

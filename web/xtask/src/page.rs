@@ -4,8 +4,9 @@ use crate::tools::{WASM, wasm_target};
 use std::process::Command;
 use xtask::shell::{Failure, Outcome, answer, cargo, run, step, target};
 
-/// What a browser may load before the page works, brotli, bytes.
-const FIRST_LOAD_LIMIT: u64 = 200_000;
+/// What a browser may load before the page works, brotli, bytes: the product promises 200,000, and what is still to be built
+/// needs the rest.
+const FIRST_LOAD_BUDGET: u64 = 185_000;
 
 /// Builds the page into `web/dist`.
 ///
@@ -21,8 +22,8 @@ pub(crate) fn build(release: bool) -> Outcome {
 /// It does not compile, or is too large.
 pub(crate) fn build_within_budget() -> Outcome {
     match make(true)? {
-        size if size > FIRST_LOAD_LIMIT => Err(Failure::new(format!(
-            "a first load is {size} bytes brotli, its budget {FIRST_LOAD_LIMIT}"
+        size if size > FIRST_LOAD_BUDGET => Err(Failure::new(format!(
+            "a first load is {size} bytes brotli, its budget {FIRST_LOAD_BUDGET}"
         ))),
         _ => Ok(()),
     }
@@ -46,8 +47,8 @@ fn make(release: bool) -> Result<u64, Failure> {
         first_load = size
             .parse()
             .map_err(|_| Failure::new(format!("the bundle's size is not a number: `{size}`")))?;
-        eprintln!("first load: {first_load} bytes brotli, of {FIRST_LOAD_LIMIT}");
-        if release && first_load > FIRST_LOAD_LIMIT {
+        eprintln!("first load: {first_load} bytes brotli, of {FIRST_LOAD_BUDGET}");
+        if release && first_load > FIRST_LOAD_BUDGET {
             eprintln!("the first load is over its budget");
         }
         Ok(())
