@@ -377,6 +377,7 @@ impl Station for Autopilot {
         }
         match sentence.formatter {
             "HTC" => self.on_htc(now, port, sentence),
+            "XTE" | "PNEY,001" | "PNEY,002" => self.on_distance(now, sentence, true),
             "ACK" => {
                 let number = nmea::Ack::from_sentence(sentence).and_then(|ack| ack.number);
                 if let Some(number) = number.and_then(|number| u16::try_from(number).ok()) {
@@ -389,8 +390,10 @@ impl Station for Autopilot {
 
     fn refused(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
         let profile = self.post.ports().get(port).map(|port| port.profile);
-        if profile == Some(Profile::Ecdis) && sentence.formatter == "HTC" {
-            self.on_broken_htc(now);
+        match (profile, sentence.formatter) {
+            (Some(Profile::Ecdis), "HTC") => self.on_broken_htc(now),
+            (Some(Profile::Ecdis), _) => self.on_distance(now, sentence, false),
+            _ => {}
         }
     }
 }

@@ -39,6 +39,14 @@ impl Wanted {
             Self::Ti => ModeName::AutonavTi,
         }
     }
+
+    /// What steers, in an officer's words.
+    pub(super) const fn why(self) -> &'static str {
+        match self {
+            Self::Tn => "heading controlled by the chart system",
+            Self::Ti => "track controlled by the chart system",
+        }
+    }
 }
 
 impl Autopilot {
@@ -113,11 +121,7 @@ impl Autopilot {
         if let Some(event) = self.engagement(now, wanted) {
             self.pending = None;
             self.alerts.rectify(now, Alert::TrackFail);
-            let why = match wanted {
-                Wanted::Tn => "heading controlled by the chart system",
-                Wanted::Ti => "track controlled by the chart system",
-            };
-            self.engage(now, &event, why);
+            self.engage(now, &event, wanted.why());
         }
     }
 

@@ -85,7 +85,7 @@ settings! {
     forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";
     gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
     heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
-    leg_tolerance: number("m", 20.0 ..= 1000.0, 0, 100.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
+    leg_tolerance: number("m", 10.0 ..= 1000.0, 0, 30.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
     off_heading_limit: number("deg", 2.0 ..= 60.0, 0, 20.0), Operator, Rudder, "Off-heading limit; AP-5.";
     off_track_limit: number("m", 20.0 ..= 1000.0, 0, 185.0), Operator, ChartSystem, "Off-track alarm in track control where HTC gives no limit of its own.";

@@ -59,7 +59,12 @@ fn beside(mut spoiled: Rig, situation: u8, seconds: f64) -> (Rig, f64, Option<f6
     (spoiled, apart, failed)
 }
 
-const ON_A_LEG: [Spoil; 9] = [
+const ON_A_LEG: [Spoil; 14] = [
+    ("PNEY,001", &[(4, "0.050")]),
+    ("PNEY,001", &[(4, ""), (5, "")]),
+    ("XTE", &[(3, "0.050")]),
+    ("XTE", &[(3, ""), (4, "")]),
+    ("HTC,", &[(8, "0.5")]),
     ("HTC,", &[(12, "335.0")]),
     ("HTC,", &[(12, "155.0")]),
     ("HTC,", &[(13, "M")]),
@@ -71,7 +76,9 @@ const ON_A_LEG: [Spoil; 9] = [
     ("PNEY,001", &[(4, "1.000"), (5, "L")]),
 ];
 
-const IN_A_TURN: [Spoil; 11] = [
+const IN_A_TURN: [Spoil; 13] = [
+    ("PNEY,001", &[(4, ""), (5, "")]),
+    ("XTE", &[(3, ""), (4, "")]),
     ("HTC,", &[(12, "090.0")]),
     ("HTC,", &[(12, "185.0")]),
     ("HTC,", &[(13, "M")]),

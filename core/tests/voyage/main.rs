@@ -11,4 +11,5 @@ mod refused_commands;
 mod rig;
 mod sensors_lost;
 mod situations;
+mod spoilt;
 mod wrong_port;

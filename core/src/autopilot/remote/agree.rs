@@ -52,6 +52,7 @@ impl Autopilot {
         else {
             return Ok(()); // its age is watched
         };
+        self.distances_said()?;
         let (Some(line), Some(ship)) = (
             self.leg_line(commanded),
             self.position_guard.dead_reckoning(now),
@@ -124,6 +125,21 @@ impl Autopilot {
             nearest(&accepted, ship).towards(course.deg() + 90.0, moved.clamp(-metres, metres));
         self.remote.leg = Some((course, point));
         Ok(Some(line))
+    }
+
+    /// FA4: XTE and PNEY,001 that come without a distance are no distances; only a chart system without a route says so.
+    fn distances_said(&self) -> Result<(), String> {
+        let picture = &self.post.picture;
+        let xte = self.fresh(picture.xte.as_ref(), Quantity::Control);
+        let pney1 = self.fresh(picture.pney1.as_ref(), Quantity::Control);
+        let silent = [
+            ("XTE", xte.map(|xte| xte.cross_track)),
+            ("PNEY,001", pney1.map(|pney1| pney1.cross_track)),
+        ];
+        match silent.iter().find(|(_, said)| matches!(said, Some(None))) {
+            Some((name, _)) => Err(format!("{name} has no distance")),
+            None => Ok(()),
+        }
     }
 
     /// XTE is for display, but on a leg it says the same (situations 2 and 5).
@@ -205,8 +221,10 @@ impl Autopilot {
                 return Ok(None);
             }
             // With the forwarding time known the arc is certain from leg, radius and place.
-            return match self.settings.forwarding_s {
-                Some(_) => Ok(self.turn_without_centre(path, track, radius)),
+            let known = self.settings.forwarding_s.is_some();
+            let laid = self.turn_without_centre(path, track, radius);
+            return match laid.filter(|_| known) {
+                Some(laid) => Ok(Some(laid)),
                 None => Err("PNEY,002 has no centre of the commanded radius".into()),
             };
         };

@@ -19,7 +19,7 @@ use crate::picture::Source;
 use crate::station::PortIndex;
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Radius, RateOfTurn};
-use alloc::collections::VecDeque;
+use alloc::collections::{BTreeMap, VecDeque};
 use alloc::format;
 use alloc::string::{String, ToString};
 use serde::{Deserialize, Serialize};
@@ -44,6 +44,8 @@ pub(super) struct Remote {
     command: Option<(command::Remote, Stamp)>,
     /// The last refusal.
     refusal: Option<(String, Stamp)>,
+    /// What spoils a sentence that is followed, by its formatter, and when it last came so (FA4).
+    spoilt: BTreeMap<String, (String, Stamp)>,
     /// Times of the accepted commands in a row (FA14).
     pub(super) proofs: VecDeque<Stamp>,
     /// When all that is heard last agreed with what is steered.
@@ -92,6 +94,30 @@ impl Remote {
 }
 
 impl Autopilot {
+    /// XTE, PNEY,001 or PNEY,002 was heard: what spoils it, if anything does, is kept for the officer (FA4, FA5).
+    pub(super) fn on_distance(&mut self, now: Stamp, sentence: &Sentence<'_>, checked: bool) {
+        let name = sentence.formatter;
+        let picture = &self.post.picture;
+        let taken = match name {
+            "XTE" => picture.xte.as_ref().map(|xte| xte.at),
+            "PNEY,001" => picture.pney1.as_ref().map(|pney1| pney1.at),
+            "PNEY,002" => picture.pney2.as_ref().map(|pney2| pney2.at),
+            _ => return,
+        };
+        let why = if !checked {
+            "checksum missing or wrong".into()
+        } else if let Some(fault) = sentence.faults().first() {
+            let field = fault.field.map(|field| format!("field {field}: "));
+            format!("{}{}", field.unwrap_or_default(), fault.text())
+        } else if taken != Some(now) {
+            "its status or mode says not valid".into()
+        } else {
+            self.remote.spoilt.remove(name);
+            return;
+        };
+        self.remote.spoilt.insert(name.into(), (why, now));
+    }
+
     /// An HTC that the port's policy does not accept breaks the row (FA14, SEN-2).
     pub(super) fn on_broken_htc(&mut self, now: Stamp) {
         self.remote.proofs.clear();
@@ -279,6 +305,9 @@ impl Autopilot {
                 self.engage(now, &event, "switched by the chart system");
             }
             return;
+        }
+        if self.why.starts_with("HTC ") {
+            self.why = wanted.why().into(); // what was refused is obeyed again
         }
         match (&mut self.mode, command) {
             (

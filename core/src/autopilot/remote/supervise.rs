@@ -13,6 +13,8 @@ use alloc::vec::Vec;
 pub(super) const STOP_CAUSE_MS: u64 = 1_500;
 /// Sentences that fail within so long of each other failed together, seconds.
 const TOGETHER_S: f64 = 1.2;
+/// A sentence that came spoilt within this time comes still, milliseconds.
+const SPOILT_MS: u64 = 2_500;
 /// Off the track for so long before the alarm.
 const OFF_TRACK_MS: u64 = 5_000;
 
@@ -53,7 +55,7 @@ impl Autopilot {
         );
         let late = self.oldest(now).age >= self.settings.track_caution;
         let text = if late {
-            format!("{} late", self.names(now, self.settings.track_caution))
+            self.spoilt(now, &self.names(now, self.settings.track_caution), "late")
         } else {
             String::new()
         };
@@ -75,7 +77,7 @@ impl Autopilot {
         let text = match self.refused_since(self.remote_heard()) {
             Some(refused) if silent.starts_with("HTC") || silent == "agreement" => refused,
             _ if silent == "agreement" => self.disagreement(now),
-            _ => format!("{silent} missing"),
+            _ => self.spoilt(now, &silent, "missing"),
         };
         self.track_fail(now, Cause::Missing(text.clone()), &text);
         true
@@ -96,6 +98,15 @@ impl Autopilot {
             "chart system: HTC, XTE, PNEY".into()
         } else {
             old.join(", ")
+        }
+    }
+
+    /// What is wrong with a sentence that is not followed: what spoils it where it comes, else that it does not come.
+    fn spoilt(&self, now: Stamp, name: &str, state: &str) -> String {
+        let spoilt = self.remote.spoilt.get(name);
+        match spoilt.filter(|(_, at)| now.since(*at) <= SPOILT_MS) {
+            Some((why, _)) => format!("{name} refused: {why}"),
+            None => format!("{name} {state}"),
         }
     }
 
