@@ -167,6 +167,7 @@ impl ChartSystem {
                 self.guard.forget();
                 self.followed.stalled(now);
             }
+            Input::Order { order, .. } => out.push(Output::Answer(self.obey(now, order))),
             Input::Tick => {}
         }
     }
@@ -265,16 +266,6 @@ impl ChartSystem {
     #[must_use]
     pub fn alerts(&self) -> &[Standing] {
         self.watch.alerts().standing()
-    }
-
-    /// Acknowledges one of its alerts; false where there is nothing to acknowledge.
-    pub fn acknowledge(&mut self, now: Stamp, number: u16) -> bool {
-        self.watch.acknowledge(now, number)
-    }
-
-    /// Silences its alerts for 30 s.
-    pub fn silence(&mut self, now: Stamp) {
-        self.watch.silence(now);
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod modes;
 mod operator;
+mod readings;
 mod remote;
 mod report;
 mod selection;
@@ -17,7 +18,6 @@ pub mod steering;
 use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
-use crate::picture::Picture;
 use crate::settings::{Settings, SteeringBy};
 use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station};
 use crate::time::Stamp;
@@ -134,8 +134,10 @@ impl Autopilot {
             return;
         }
         self.advance(now, out);
-        if let Input::Bytes { port, bytes } = input {
-            station::hear(self, now, port, bytes, out);
+        match input {
+            Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
+            Input::Order { order, .. } => self.obey(now, order, out),
+            Input::Stalled { .. } | Input::Tick => {}
         }
     }
 
@@ -292,45 +294,6 @@ impl Autopilot {
         }
     }
 
-    /// Heading to steer in force.
-    #[must_use]
-    pub fn hts(&self) -> Option<Heading> {
-        match &self.mode {
-            Mode::Auto { set, .. } => Some(*set),
-            Mode::AutonavTn { hts, .. } => Some(*hts),
-            Mode::AutonavTi { path, .. } => Some(
-                self.steered
-                    .as_ref()
-                    .map_or(path.course_in.as_heading(), |steered| steered.hts),
-            ),
-            Mode::Standby | Mode::RudderHold { .. } => None,
-        }
-    }
-
-    /// The picture of what is heard and sent.
-    #[must_use]
-    pub fn picture(&self) -> &Picture {
-        &self.post.picture
-    }
-
-    /// Until when an AutoNAV selection waits for its confirmation.
-    #[must_use]
-    pub const fn pending(&self) -> Option<Stamp> {
-        self.pending
-    }
-
-    /// Why the mode is what it is: last refusal or cause, in an officer's words.
-    #[must_use]
-    pub fn why(&self) -> &str {
-        &self.why
-    }
-
-    /// What the steering gave in the last step; absent where no order was computed.
-    #[must_use]
-    pub const fn steered(&self) -> Option<&Steered> {
-        self.steered.as_ref()
-    }
-
     /// Measured speed through the water, else over ground, else the set cruise speed (FA10).
     fn speed(&self) -> Speed {
         let picture = &self.post.picture;
@@ -339,30 +302,6 @@ impl Autopilot {
         water
             .or(ground.map(|ground| ground.speed))
             .unwrap_or(Speed::from_knots(self.settings.cruise_speed))
-    }
-
-    /// Its alerts.
-    #[must_use]
-    pub fn alerts(&self) -> &Alerts {
-        &self.alerts
-    }
-
-    /// Its settings.
-    #[must_use]
-    pub fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    /// Its mode.
-    #[must_use]
-    pub fn mode(&self) -> &Mode {
-        &self.mode
-    }
-
-    /// Rudder order in force; absent where none is given.
-    #[must_use]
-    pub fn rudder_order(&self) -> Option<RudderAngle> {
-        (self.mode != Mode::Standby).then_some(self.order)
     }
 }
 

@@ -5,19 +5,31 @@ use super::steering::SteeringSettings;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
+use crate::station::Output;
 use crate::time::Stamp;
 use crate::units::{Heading, SignedAngle};
 use alloc::format;
 use alloc::string::String;
+use alloc::vec::Vec;
 use core::ops::RangeInclusive;
 
 impl Autopilot {
-    /// Does what an operator asks, or says why not.
-    ///
-    /// # Errors
-    /// The reason an officer would give.
-    pub fn command(&mut self, now: Stamp, action: &Order) -> Result<String, Refusal> {
-        let result = match action {
+    /// Does what is asked, or says why not; the operator's STANDBY is always granted.
+    pub(super) fn obey(&mut self, now: Stamp, order: &Order, out: &mut Vec<Output>) {
+        let answer = self.carry_out(now, order);
+        match (&answer, order) {
+            (Err(refusal), _) => self.why = refusal.text.clone(),
+            (Ok(_), Order::Setting { key, value }) => out.push(Output::Persist {
+                key: key.clone(),
+                value: value.clone(),
+            }),
+            (Ok(_), _) => {}
+        }
+        out.push(Output::Answer(answer));
+    }
+
+    fn carry_out(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
+        match order {
             Order::Mode(ModeRequest::Standby) => {
                 self.pending = None;
                 self.alerts.rectify(now, Alert::HeadingLost);
@@ -66,11 +78,7 @@ impl Autopilot {
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal::because("not a command to the autopilot")),
-        };
-        if let Err(refusal) = &result {
-            self.why = refusal.text.clone();
         }
-        result
     }
 
     fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {

@@ -3,7 +3,7 @@
 use super::ChartSystem;
 use super::followed::Followed;
 use crate::alerts::Alert;
-use crate::command::{ChartRequest, Refusal};
+use crate::command::{ChartRequest, Order, Refusal};
 use crate::nmea::SteeringMode;
 use crate::route::{Phase, Progress};
 use crate::time::Stamp;
@@ -48,12 +48,32 @@ fn refuse<T>(reason: impl Into<String>) -> Result<T, Refusal> {
 }
 
 impl ChartSystem {
-    /// Begins, changes or ends control.
-    ///
-    /// # Errors
-    /// What control needs and does not have, in an officer's words.
-    pub fn command(&mut self, now: Stamp, request: &ChartRequest) -> Result<String, Refusal> {
+    /// Does what is asked, or says in an officer's words why not.
+    pub(super) fn obey(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
         self.now = self.now.max(now);
+        match order {
+            Order::Chart(request) => self.control(now, *request),
+            Order::Acknowledge(number) if self.watch.acknowledge(now, *number) => {
+                Ok(format!("alert {number} acknowledged"))
+            }
+            Order::Acknowledge(number) => {
+                refuse(format!("alert {number} waits for no acknowledgement"))
+            }
+            Order::Silence(on) => {
+                self.watch.silence(now, *on);
+                Ok(if *on {
+                    "silenced for 30 s"
+                } else {
+                    "alerts sound again"
+                }
+                .into())
+            }
+            _ => refuse("not a command to the chart system"),
+        }
+    }
+
+    /// Begins, changes or ends control.
+    fn control(&mut self, now: Stamp, request: ChartRequest) -> Result<String, Refusal> {
         let answer = match request {
             ChartRequest::Track => self.begin_track(now),
             ChartRequest::Heading => self.begin_heading(now),

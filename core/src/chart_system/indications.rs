@@ -52,8 +52,13 @@ impl TurnIndications {
         self.alerts.rectify(now, alert);
     }
 
-    pub(super) fn silence(&mut self, now: Stamp) {
-        self.alerts.silence(now);
+    /// Silences what sounds for 30 s, or lets it sound again at once.
+    pub(super) fn silence(&mut self, now: Stamp, on: bool) {
+        if on {
+            self.alerts.silence(now);
+        } else {
+            self.alerts.sound_again();
+        }
     }
 
     /// A later indication takes the place of an earlier one: one alert a situation.

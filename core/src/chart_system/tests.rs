@@ -9,7 +9,7 @@ mod situations;
 mod station;
 
 use super::*;
-use crate::command::ChartRequest;
+use crate::command::{ChartRequest, Order, Origin};
 use crate::geo::{Position, rhumb};
 use crate::nmea::{
     self, DataStatus, Gll, Hdt, Htc, Htd, ModeIndicator, Pney1, Pney2, SteeringMode, TurnMode,
@@ -220,9 +220,18 @@ impl Bench {
     }
 
     fn request(&mut self, request: ChartRequest) -> Result<String, String> {
+        self.order(&Order::Chart(request))
+    }
+
+    fn order(&mut self, order: &Order) -> Result<String, String> {
+        let by = Origin::Officer;
+        let mut out = Vec::new();
         self.chart
-            .command(Stamp(self.now), &request)
-            .map_err(|refusal| refusal.text)
+            .handle(Stamp(self.now), Input::Order { by, order }, &mut out);
+        match out.pop() {
+            Some(Output::Answer(answer)) => answer.map_err(|refusal| refusal.text),
+            _ => panic!("every order is answered"),
+        }
     }
 
     /// Runs until the situation is reached and gives what was said first in it.

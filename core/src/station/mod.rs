@@ -4,6 +4,7 @@
 
 mod post;
 
+use crate::command::{Order, Origin, Refusal};
 use crate::settings::Value;
 pub(crate) use post::{Post, Station, hear, time_out};
 
@@ -142,6 +143,13 @@ pub enum Input<'a> {
         /// How late.
         ms: u64,
     },
+    /// Somebody asks for something; [`Output::Answer`] is the answer (HTC-4).
+    Order {
+        /// Who.
+        by: Origin,
+        /// What.
+        order: &'a Order,
+    },
     /// Only time has passed.
     Tick,
 }
@@ -165,6 +173,8 @@ pub enum Output {
         /// The line without its end; a damaged one is cut at 256 bytes.
         text: Vec<u8>,
     },
+    /// What became of an order: what followed, or why it was not done.
+    Answer(Result<String, Refusal>),
     /// A setting to be kept over a restart.
     Persist {
         /// Its name in the settings table.

@@ -1,13 +1,15 @@
 //! Commands: to whom each goes, what the embedded voyage does with its own, what the officer presses.
 
 use super::officer::{Action, InView, Officer};
-use super::{Voyage, VoyageOutput};
+use super::{Role, Voyage, VoyageOutput};
 use crate::command::{FaultKind, Order, Origin};
+use crate::station::{Input, Output};
 use crate::time::Stamp;
-use crate::units::{Course, Speed};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
+
+const NOT_EMBEDDED: &str = "only in the embedded voyage";
 
 impl Voyage {
     /// An officer's order takes the watch from the scripted officer.
@@ -21,64 +23,67 @@ impl Voyage {
         if by == Origin::Officer && self.embedded.is_some() && takes_the_watch(action) {
             self.officer.on = false;
         }
-        self.carry_out(now, action, out)
+        self.carry_out(now, by, action, out)
     }
 
-    /// Gives a command to whom it concerns.
-    pub(super) fn carry_out(
+    /// Gives an order to the station that it concerns.
+    fn carry_out(
         &mut self,
         now: Stamp,
-        action: &Order,
+        by: Origin,
+        order: &Order,
         out: &mut Vec<VoyageOutput>,
     ) -> Result<String, String> {
-        match action {
-            Order::Speed(_) | Order::Officer(_) | Order::Fault { .. } | Order::Current { .. } => {
-                self.conduct(now, action)
-            }
-            Order::Chart(request) => match &mut self.chart {
-                Some(chart) => chart
-                    .command(now, request)
-                    .map_err(|refusal| refusal.to_string()),
-                None => Err("the chart system is a foreign one".into()),
-            },
-            Order::Acknowledge(number) if *number >= 200 => {
-                let taken = self
-                    .chart
-                    .as_mut()
-                    .is_some_and(|chart| chart.acknowledge(now, *number));
-                if taken {
-                    Ok(format!("alert {number} acknowledged"))
-                } else {
-                    Err(format!("alert {number} waits for no acknowledgement"))
-                }
-            }
+        match order {
+            Order::Speed(_) | Order::Officer(_) | Order::Fault { .. } => self.conduct(now, order),
+            Order::Current { .. } if self.embedded.is_none() => Err(NOT_EMBEDDED.into()),
+            Order::Current { .. } => self
+                .ask(now, Role::World, by, order, out)
+                .unwrap_or_else(|| Err(NOT_EMBEDDED.into())),
+            Order::Chart(_) => self
+                .ask(now, Role::ChartSystem, by, order, out)
+                .unwrap_or_else(|| Err("the chart system is a foreign one".into())),
+            Order::Acknowledge(number) if *number >= 200 => self
+                .ask(now, Role::ChartSystem, by, order, out)
+                .unwrap_or_else(|| Err(format!("alert {number} waits for no acknowledgement"))),
             _ => {
-                if let (Order::Silence(_), Some(chart)) = (action, &mut self.chart) {
-                    chart.silence(now);
+                if matches!(order, Order::Silence(_)) {
+                    self.ask(now, Role::ChartSystem, by, order, out);
                 }
-                let Some(autopilot) = &mut self.autopilot else {
-                    return Err("the autopilot is a foreign one: command it there".into());
-                };
-                let answer = autopilot
-                    .command(now, action)
-                    .map_err(|refusal| refusal.to_string());
-                if let (Order::Setting { key, value }, Ok(_)) = (action, &answer) {
-                    self.settings_revision += 1;
-                    out.push(VoyageOutput::Persist {
-                        key: key.clone(),
-                        value: value.clone(),
-                    });
-                    out.push(VoyageOutput::Settings);
-                }
-                answer
+                self.ask(now, Role::Autopilot, by, order, out)
+                    .unwrap_or_else(|| {
+                        Err("the autopilot is a foreign one: command it there".into())
+                    })
             }
         }
+    }
+
+    /// A station's answer to an order; none where it does not run here.
+    fn ask(
+        &mut self,
+        now: Stamp,
+        role: Role,
+        by: Origin,
+        order: &Order,
+        out: &mut Vec<VoyageOutput>,
+    ) -> Option<Result<String, String>> {
+        self.input(now, role, Input::Order { by, order });
+        let mut answer = None;
+        self.scratch.retain(|output| match output {
+            Output::Answer(given) => {
+                answer = Some(given.clone().map_err(|refusal| refusal.to_string()));
+                false
+            }
+            _ => true,
+        });
+        self.settle(now, role, out);
+        answer
     }
 
     /// Commands that only the embedded voyage knows.
     pub(super) fn conduct(&mut self, now: Stamp, action: &Order) -> Result<String, String> {
         if self.embedded.is_none() {
-            return Err("only in the embedded voyage".into());
+            return Err(NOT_EMBEDDED.into());
         }
         match action {
             Order::Speed(speed) if (1.0..=60.0).contains(speed) => {
@@ -94,15 +99,6 @@ impl Voyage {
                     "you have the watch"
                 };
                 Ok(text.into())
-            }
-            Order::Current { set, drift } => {
-                if !(0.0..=5.0).contains(drift) || !set.is_finite() {
-                    return Err(format!("drift is {drift}, allowed are 0 to 5 kn"));
-                }
-                if let Some(world) = &mut self.world {
-                    world.set_current(Course::from_deg(*set), Speed::from_knots(*drift));
-                }
-                Ok(format!("current {drift} kn to {set:03}"))
             }
             Order::Fault { cable, kind, on } => {
                 let sensor = matches!(kind, FaultKind::Jump | FaultKind::Stuck);

@@ -269,7 +269,12 @@ impl Voyage {
                     }));
                 }
                 Output::Line { .. } => {}
-                Output::Persist { key, value } => out.push(VoyageOutput::Persist { key, value }),
+                Output::Persist { key, value } => {
+                    self.settings_revision += 1;
+                    out.push(VoyageOutput::Persist { key, value });
+                    out.push(VoyageOutput::Settings);
+                }
+                Output::Answer(_) => {} // taken where the order was given
             }
         }
         self.scratch = outputs;

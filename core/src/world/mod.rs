@@ -14,7 +14,7 @@ pub use hull::{Drive, Hull};
 pub use noise::{Drift, Random, Waves};
 pub use sensors::Noise;
 
-use crate::command::FaultKind;
+use crate::command::{FaultKind, Order, Refusal};
 use crate::geo::{Plane, Point, Position};
 use crate::nmea::Sentence;
 use crate::picture::Picture;
@@ -23,6 +23,7 @@ use crate::station::{
 };
 use crate::time::Stamp;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
+use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 use sensors::{Compass, Receiver};
@@ -193,13 +194,28 @@ impl World {
                 self.step(out);
             }
         }
-        if let Input::Bytes { port, bytes } = input {
-            station::hear(self, now, port, bytes, out);
+        match input {
+            Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
+            Input::Order { order, .. } => out.push(Output::Answer(self.obey(order))),
+            Input::Stalled { .. } | Input::Tick => {}
         }
     }
 
-    /// Changes the current.
-    pub fn set_current(&mut self, set: Course, drift: Speed) {
+    fn obey(&mut self, order: &Order) -> Result<String, Refusal> {
+        match order {
+            Order::Current { set, drift } if !(0.0..=5.0).contains(drift) || !set.is_finite() => {
+                let text = format!("drift is {drift}, allowed are 0 to 5 kn");
+                Err(Refusal::because(text))
+            }
+            Order::Current { set, drift } => {
+                self.set_current(Course::from_deg(*set), Speed::from_knots(*drift));
+                Ok(format!("current {drift} kn to {set:03}"))
+            }
+            _ => Err(Refusal::because("not a command to the ship")),
+        }
+    }
+
+    fn set_current(&mut self, set: Course, drift: Speed) {
         self.drive.current_north = drift.mps() * libm::cos(set.rad());
         self.drive.current_east = drift.mps() * libm::sin(set.rad());
         self.config.current_set = set;

@@ -7,6 +7,7 @@ mod constants;
 mod cross_track;
 mod entry;
 mod monte_carlo;
+mod order;
 mod refused_commands;
 mod rig;
 mod sensors_lost;

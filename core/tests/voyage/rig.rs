@@ -1,5 +1,6 @@
 //! Three stations on cables; every line to the autopilot passes a filter that a test sets.
 
+use crate::order::ask;
 use std::collections::VecDeque;
 use wheelover_core::alerts::Alert;
 use wheelover_core::autopilot::steering::SteeringSettings;
@@ -153,15 +154,15 @@ impl Rig {
     }
 
     pub(crate) fn command(&mut self, action: Order) -> Result<String, String> {
-        self.autopilot
-            .command(self.now, &action)
-            .map_err(|refusal| refusal.to_string())
+        ask(&action, |input, out| {
+            self.autopilot.handle(self.now, input, out);
+        })
     }
 
     pub(crate) fn ask(&mut self, request: ChartRequest) -> Result<String, String> {
-        self.chart
-            .command(self.now, &request)
-            .map_err(|refusal| refusal.to_string())
+        ask(&Order::Chart(request), |input, out| {
+            self.chart.handle(self.now, input, out);
+        })
     }
 
     /// Says a line to the autopilot now; the checksum is added.

@@ -96,12 +96,12 @@ fn the_alarm_ends_when_it_is_taken_and_when_control_begins_anew() {
         bench
     };
     let mut bench = left();
-    assert!(bench.chart.acknowledge(Stamp(bench.now), 208));
+    bench.order(&Order::Acknowledge(208)).unwrap();
     assert_eq!(alert(&bench), None);
     let mut bench = left();
     bench.request(ChartRequest::Track).unwrap();
     assert_eq!(alert(&bench), Some(State::RectifiedUnacknowledged));
-    assert!(bench.chart.acknowledge(Stamp(bench.now), 208));
+    bench.order(&Order::Acknowledge(208)).unwrap();
     for _ in 0..10 {
         bench.second();
     }

@@ -1,6 +1,7 @@
 //! Indications and alarms before and after wheel-over (TCS-11).
 
 use super::*;
+use crate::alerts::State;
 
 // TCS-11
 #[test]
@@ -41,7 +42,7 @@ fn a_confirmed_course_change_gives_no_alarm_and_the_ship_turns_all_the_same() {
     {
         bench.second();
     }
-    assert!(bench.chart.acknowledge(Stamp(bench.now), 202));
+    bench.order(&Order::Acknowledge(202)).unwrap();
     bench.until(3);
     for _ in 0..40 {
         bench.second();
@@ -82,4 +83,18 @@ fn the_last_waypoint_and_the_corridor_have_alerts() {
         }
     }
     near((bench.now - warned.unwrap()) as f64 / 1000.0, 180.0, 20.0);
+}
+
+#[test]
+fn what_was_silenced_sounds_again_at_once_when_it_is_asked_to() {
+    let mut bench = Bench::tracking();
+    bench.until(3);
+    while bench.chart.alerts().is_empty() {
+        bench.second();
+    }
+    let state = |bench: &Bench| bench.chart.alerts()[0].state;
+    bench.order(&Order::Silence(true)).unwrap();
+    assert_eq!(state(&bench), State::Silenced);
+    bench.order(&Order::Silence(false)).unwrap();
+    assert_eq!(state(&bench), State::Unacknowledged);
 }

@@ -1,0 +1,74 @@
+//! What can be read of the autopilot: its mode and why, what it steers, what it has heard.
+
+use super::steering::Steered;
+use super::{Autopilot, Mode};
+use crate::alerts::Alerts;
+use crate::picture::Picture;
+use crate::settings::Settings;
+use crate::time::Stamp;
+use crate::units::{Heading, RudderAngle};
+
+impl Autopilot {
+    /// Heading to steer in force.
+    #[must_use]
+    pub fn hts(&self) -> Option<Heading> {
+        match &self.mode {
+            Mode::Auto { set, .. } => Some(*set),
+            Mode::AutonavTn { hts, .. } => Some(*hts),
+            Mode::AutonavTi { path, .. } => Some(
+                self.steered
+                    .as_ref()
+                    .map_or(path.course_in.as_heading(), |steered| steered.hts),
+            ),
+            Mode::Standby | Mode::RudderHold { .. } => None,
+        }
+    }
+
+    /// The picture of what is heard and sent.
+    #[must_use]
+    pub fn picture(&self) -> &Picture {
+        &self.post.picture
+    }
+
+    /// Until when an AutoNAV selection waits for its confirmation.
+    #[must_use]
+    pub const fn pending(&self) -> Option<Stamp> {
+        self.pending
+    }
+
+    /// Why the mode is what it is: last refusal or cause, in an officer's words.
+    #[must_use]
+    pub fn why(&self) -> &str {
+        &self.why
+    }
+
+    /// What the steering gave in the last step; absent where no order was computed.
+    #[must_use]
+    pub const fn steered(&self) -> Option<&Steered> {
+        self.steered.as_ref()
+    }
+
+    /// Its alerts.
+    #[must_use]
+    pub fn alerts(&self) -> &Alerts {
+        &self.alerts
+    }
+
+    /// Its settings.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Its mode.
+    #[must_use]
+    pub fn mode(&self) -> &Mode {
+        &self.mode
+    }
+
+    /// Rudder order in force; absent where none is given.
+    #[must_use]
+    pub fn rudder_order(&self) -> Option<RudderAngle> {
+        (self.mode != Mode::Standby).then_some(self.order)
+    }
+}
