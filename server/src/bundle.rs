@@ -1,16 +1,4 @@
-//! The page's bundle, embedded in the program; a development build reads it from the folder.
+//! The page's files, embedded: the table that the bundler wrote.
 
-use rust_embed::{EmbeddedFile, RustEmbed};
-
-// The build task names the page that it has laid: another page, another program (the embedding alone sees changed files only).
-const _: Option<&str> = option_env!("WHEELOVER_PAGE");
-
-#[derive(RustEmbed)]
-#[folder = "../web/dist"]
-#[allow_missing = true]
-struct Dist;
-
-/// A file of the page; none where the program was built without it.
-pub(crate) fn file(name: &str) -> Option<EmbeddedFile> {
-    Dist::get(name)
-}
+/// Every file of the page. Which table, the build task says; without it the empty one (`.cargo/config.toml`).
+pub(crate) const PAGE: wheelover::page::Bundle = include!(env!("WHEELOVER_PAGE"));

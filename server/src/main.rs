@@ -5,5 +5,5 @@ mod bundle;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    wheelover::program::run(bundle::file)
+    wheelover::program::run(bundle::PAGE)
 }

@@ -99,7 +99,7 @@ fn main_job(options: args::Serve, page: page::Bundle) -> Result<i32, Error> {
         speed: options.speed,
         record: options.record,
         settings: options.config.as_deref().map(persist::beside),
-        page: Some(page),
+        page,
     };
     let log = Log::begin(options.quiet)
         .map_err(|error| Error::Other(format!("cannot start: {error}")))?;

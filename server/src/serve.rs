@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::feed::Feed;
 use crate::guard::Hosts;
 use crate::http::{self, Site};
-use crate::page::{self, Bundle};
+use crate::page::Bundle;
 use crate::persist::{Keeper, Store};
 use crate::ports::Ready;
 use crate::recorder::Recorder;
@@ -46,7 +46,7 @@ pub(crate) struct Options {
     /// Where settings are kept over a restart.
     pub(crate) settings: Option<PathBuf>,
     /// The files of the page; none: a page that says that there is none.
-    pub(crate) page: Option<Bundle>,
+    pub(crate) page: Bundle,
 }
 
 /// A server that runs.
@@ -163,7 +163,7 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         tasks: tasks.clone(),
         simulated,
         lan: options.lan,
-        page: options.page.unwrap_or(page::no_bundle),
+        page: options.page,
     });
     tasks.spawn(http::accept(listener, site));
     Ok(Running {

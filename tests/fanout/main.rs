@@ -11,6 +11,7 @@ use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
+use wheelover_tests::program::built;
 
 /// Pages, and the most that they may cost, parts of a core.
 const LIMITS: [(usize, f64); 3] = [(0, 1.0), (200, 0.08), (1_000, 0.30)];
@@ -39,7 +40,7 @@ fn main() -> ExitCode {
         load::run(address.parse().unwrap(), pages.parse().unwrap());
         return ExitCode::SUCCESS;
     }
-    let programs: Vec<PathBuf> = std::iter::once(built())
+    let programs: Vec<PathBuf> = std::iter::once(built("release", "release"))
         .chain(arguments.iter().map(PathBuf::from))
         .collect();
     let mut kept = true;
@@ -72,23 +73,6 @@ fn main() -> ExitCode {
         println!();
     }
     ExitCode::from(u8::from(!kept))
-}
-
-/// The release of this tree, built now; `WHEELOVER_BIN` names another.
-fn built() -> PathBuf {
-    if let Some(path) = std::env::var_os("WHEELOVER_BIN") {
-        return PathBuf::from(path);
-    }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let done = Command::new(cargo)
-        .args(["build", "--release", "--package", "wheelover"])
-        .current_dir(&root)
-        .status();
-    assert!(done.unwrap().success(), "the server cannot be built");
-    let target =
-        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-    target.join("release").join("wheelover")
 }
 
 /// The server's share of a core, and the snapshots a second that the worst served page got.

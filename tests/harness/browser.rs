@@ -107,6 +107,11 @@ impl Browser {
     #[allow(clippy::unwrap_used)]
     pub async fn go(&self, address: &str) {
         self.client.goto(address).await.unwrap();
+        let source = self.client.source().await.unwrap();
+        assert!(
+            !source.contains("built without the page"),
+            "this program was built without the page: unset WHEELOVER_BIN after `cargo xtask build`"
+        );
     }
 
     /// Runs a script and gives what it returns.

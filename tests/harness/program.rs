@@ -18,23 +18,30 @@ const BEGINS: Duration = Duration::from_secs(30);
 #[must_use]
 pub fn binary() -> PathBuf {
     static BINARY: OnceLock<PathBuf> = OnceLock::new();
-    BINARY
-        .get_or_init(|| {
-            if let Some(path) = std::env::var_os("WHEELOVER_BIN") {
-                return PathBuf::from(path);
-            }
-            let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..");
-            let done = Command::new(env!("CARGO"))
-                .args(["build", "--package", "wheelover"])
-                .current_dir(&root)
-                .status()
-                .is_ok_and(|status| status.success());
-            assert!(done, "`cargo build --package wheelover` failed");
-            let target = std::env::var_os("CARGO_TARGET_DIR")
-                .map_or_else(|| root.join("target"), PathBuf::from);
-            target.join("debug").join("wheelover")
-        })
-        .clone()
+    BINARY.get_or_init(|| built("dev", "debug")).clone()
+}
+
+/// The binary of a profile: from `WHEELOVER_BIN`, else built now, with the page where the build task has laid one.
+///
+/// # Panics
+/// It cannot be built.
+#[must_use]
+pub fn built(profile: &str, folder: &str) -> PathBuf {
+    if let Some(path) = std::env::var_os("WHEELOVER_BIN") {
+        return PathBuf::from(path);
+    }
+    let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let mut build = Command::new(env!("CARGO"));
+    build.args(["build", "--package", "wheelover", "--profile", profile]);
+    let page = root.join("web/dist/page.rs");
+    if page.is_file() {
+        build.env("WHEELOVER_PAGE", page);
+    }
+    let done = build.current_dir(&root).status();
+    assert!(done.is_ok_and(|status| status.success()), "{build:?}");
+    let target =
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    target.join(folder).join("wheelover")
 }
 
 /// A running `wheelover serve`; it ends with this value.

@@ -34,9 +34,11 @@ fn compile(release: bool) -> Outcome {
 /// `cargo build` or `cargo run` of the server.
 pub(crate) fn server(verb: &str, release: bool) -> Command {
     let mut command = cargo(&[verb, "--package", "wheelover"]);
-    // Which page is embedded: the program, and only it, is built again for another one.
-    let page = std::fs::read_to_string(root().join("web/dist/build.txt")).unwrap_or_default();
-    command.env("WHEELOVER_PAGE", page.trim());
+    // Without a page the empty table is embedded; the program, and only it, is built again for another one.
+    let page = root().join("web/dist/page.rs");
+    if page.is_file() {
+        command.env("WHEELOVER_PAGE", page);
+    }
     if release {
         command.arg("--release");
     }

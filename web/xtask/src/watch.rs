@@ -1,4 +1,4 @@
-//! `watch`: builds again what was edited. The page of a development build reloads itself.
+//! `watch`: builds and runs again what was edited. The page of a development build reloads itself.
 
 use crate::page;
 use crate::serve::server;
@@ -13,31 +13,34 @@ const SERVER: [&str; 3] = ["server", "core/src", "Cargo.toml"];
 
 type Times = BTreeMap<PathBuf, SystemTime>;
 
-/// Builds page and server, runs the server, and builds again on every edit. Ends with the terminal.
+/// Builds page and server, runs the server, and on every edit builds what was edited and runs it anew. Ends with the terminal.
 ///
 /// # Errors
 /// The first build fails or the server cannot be started. A later build that fails is shown and waited for.
 pub(crate) fn watch(arguments: &[String]) -> Outcome {
     page::build(false)?;
-    step("server", || run(&mut server("build", false)))?;
+    build_server()?;
     let mut child = start(arguments)?;
     let (mut page, mut engine) = (times(&PAGE), times(&SERVER));
     eprintln!("watching web/, static/, core/ and server/");
     loop {
         std::thread::sleep(Duration::from_millis(300));
         let (page_now, engine_now) = (times(&PAGE), times(&SERVER));
-        if engine_now != engine {
-            engine = engine_now;
-            if reported(step("server", || run(&mut server("build", false)))) {
-                stop(&mut child);
-                child = start(arguments)?;
-            }
+        let (page_edited, engine_edited) = (page_now != page, engine_now != engine);
+        (page, engine) = (page_now, engine_now);
+        if page_edited && !reported(page::build(false)) {
+            continue;
         }
-        if page_now != page {
-            page = page_now;
-            reported(page::build(false));
+        // The page is embedded: another one is another program.
+        if (page_edited || engine_edited) && reported(build_server()) {
+            stop(&mut child);
+            child = start(arguments)?;
         }
     }
+}
+
+fn build_server() -> Outcome {
+    step("server", || run(&mut server("build", false)))
 }
 
 fn start(arguments: &[String]) -> Result<Child, Failure> {

@@ -3,16 +3,19 @@
 //! wasm-bindgen is used as a library, so nothing prebuilt is downloaded and its version cannot differ from the page's.
 //! Layout: `index.html`, `decoder.html`, `sw.js`, `manifest.webmanifest`, `build.txt` and icons have fixed names; all
 //! that stands under `assets/` is named by its content and may be cached for ever. Each has a `.br` and a `.gz` beside it.
+//! `page.rs` is the table of all of them, which the program embeds.
 
 mod cut;
 mod files;
 mod lean;
+mod table;
 
 use cut::Cut;
 use files::{Compression, base64, fingerprint, pack, sha256, write};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use table::Row;
 use wasm_bindgen_cli_support::Bindgen;
 use xtask::shell::{Failure, Outcome, root, target, text};
 
@@ -135,13 +138,17 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
     clear(&dist.join("assets"))?;
     let mut first_load = Vec::new();
     // The largest come first: what is packed last should be short.
-    let packed = RefCell::new(Vec::<PathBuf>::new());
-    let put = |name: &str, content: &[u8]| -> Outcome {
-        let path = dist.join(name);
-        write(&path, content)?;
-        packed.borrow_mut().push(path);
-        Ok(())
+    let rows = RefCell::new(Vec::<Row>::new());
+    let add = |name: &str, content: &[u8], inline| -> Outcome {
+        rows.borrow_mut().push(Row {
+            name: name.to_owned(),
+            // A picture is packed already.
+            packed: !name.ends_with(".png"),
+            inline,
+        });
+        write(&dist.join(name), content)
     };
+    let put = |name: &str, content: &[u8]| add(name, content, None);
     let decoder = text(&fixed.join("decoder.html"))?
         .replace(
             "{{style}}",
@@ -152,11 +159,10 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
         .replace("{{wasm}}", &base64(&whole.wasm))
         .replace("{{dictionary_script}}", &dictionary.script)
         .replace("{{dictionary_wasm}}", &base64(&dictionary.wasm));
-    put("decoder.html", decoder.as_bytes())?;
     // What the server lets the file run that stands in it, and nothing else.
     let allowed = [("<script", "</script>"), ("<style", "</style>")]
         .map(|(open, close)| inline(&decoder, open, close).join(" "));
-    write(&dist.join("decoder.policy"), allowed.join("\n").as_bytes())?;
+    add("decoder.html", decoder.as_bytes(), Some(allowed))?;
     let later = |stem: &str, ending: &str, content: &[u8]| -> Result<String, Failure> {
         let name = format!("assets/{stem}-{}.{ending}", fingerprint(content));
         put(&name, content)?;
@@ -230,12 +236,13 @@ fn lay(pages: &Pages, dictionary: &Page, compression: Compression) -> Result<u64
     ] {
         let path = fixed.join(name);
         let content = std::fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
-        write(&dist.join(name), &content)?;
-        if !name.ends_with(".png") {
-            packed.borrow_mut().push(dist.join(name));
-        }
+        put(name, &content)?;
     }
-    pack(&packed.borrow(), compression)?;
+    let rows = rows.into_inner();
+    let packed = rows.iter().filter(|row| row.packed);
+    let packed: Vec<PathBuf> = packed.map(|row| dist.join(&row.name)).collect();
+    pack(&packed, compression)?;
+    table::write(&dist, &rows)?;
     first_load.iter().map(|path| length(path)).sum()
 }
 
