@@ -30,6 +30,7 @@ use modes::{Event, Ship};
 pub use modes::{Finish, Mode, ModeName};
 use remote::Remote;
 use serde::{Deserialize, Serialize};
+pub use sight::Refused;
 use sight::{Compasses, PositionGuard, Preferred};
 use steering::{Demand, Steered, Steering, SteeringSettings, TurnBy};
 
@@ -59,7 +60,6 @@ pub struct Autopilot {
     /// Whether position, ground and water come from the preferred source.
     preferred: [Preferred; 3],
     position_guard: PositionGuard,
-    last_fix: Option<Stamp>,
     remote: Remote,
     /// The ship has been within half the off-track limit since track control began.
     captured: bool,
@@ -102,7 +102,6 @@ impl Autopilot {
             compasses: Compasses::default(),
             preferred: Default::default(),
             position_guard: PositionGuard::default(),
-            last_fix: None,
             remote: Remote::default(),
             captured: false,
             off_track_since: None,

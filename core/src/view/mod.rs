@@ -7,6 +7,7 @@ mod voyage;
 pub use crate::autopilot::ModeName;
 pub use crate::autopilot::steering::Terms;
 pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order, Origin};
+use crate::facts::Quantity;
 use crate::geo::Position;
 use crate::picture::Picture;
 pub use crate::settings::Value;
@@ -20,7 +21,7 @@ use serde::{Deserialize, Serialize};
 pub use voyage::{hello, ports_document, route_document, settings_document, snapshot};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 3;
+pub const PROTOCOL: u32 = 4;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -180,12 +181,29 @@ pub struct Own {
     pub cross_track: Option<f64>,
     /// Chosen source of each quantity: quantity, `port/talker/formatter`.
     pub sources: Vec<(String, String)>,
+    /// Heading that the autopilot believes, degrees; absent where it believes none.
+    pub heading: Option<f64>,
+    /// Position that it believes, at the time of the snapshot; absent where it believes none.
+    pub position: Option<Position>,
+    /// Sources that it hears and does not believe.
+    pub refused: Vec<RefusedView>,
     /// What moves the rudder; absent where no order is computed.
     pub terms: Option<Terms>,
     /// The order is at its limit.
     pub limited: bool,
     /// Outputs to the steering gear are enabled.
     pub output: bool,
+}
+
+/// A source that is heard and not believed: what it says is never shown as the ship's.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RefusedView {
+    /// What it says.
+    pub quantity: Quantity,
+    /// Who, as `port/talker/formatter`.
+    pub source: String,
+    /// Why, in an officer's words.
+    pub why: String,
 }
 
 /// A mode that was asked for and waits for the other side.

@@ -1,6 +1,6 @@
 //! The stations' own facts, for the page.
 
-use super::{AlertView, ChartOwn, Own, Pending};
+use super::{AlertView, ChartOwn, Own, Pending, RefusedView};
 use crate::alerts::Standing;
 use crate::autopilot::{Autopilot, Mode};
 use crate::chart_system::ChartSystem;
@@ -42,6 +42,17 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
             .and_then(|steered| steered.cross_track)
             .map(Distance::m),
         sources: sources(autopilot, now),
+        heading: autopilot.believed_heading().map(Heading::deg),
+        position: autopilot.believed_position(now),
+        refused: autopilot
+            .refused()
+            .into_iter()
+            .map(|refused| RefusedView {
+                quantity: refused.quantity,
+                source: autopilot.source_name(refused.source),
+                why: refused.why.to_string(),
+            })
+            .collect(),
         terms: steered.map(|steered| steered.terms),
         limited: steered.is_some_and(|steered| steered.limited),
         output: autopilot
@@ -55,9 +66,9 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
 fn sources(autopilot: &Autopilot, now: Stamp) -> Vec<(String, String)> {
     let picture = autopilot.picture();
     let list = [
-        ("heading", picture.heading(now).map(|heard| &heard.source)),
+        ("heading", autopilot.compass_in_use()),
         ("rate", picture.rate(now).map(|heard| &heard.source)),
-        ("position", picture.fix(now).map(|heard| &heard.source)),
+        ("position", autopilot.receiver_in_use()),
         ("ground", picture.ground(now).map(|heard| &heard.source)),
         ("water", picture.water_speed(now).map(|heard| &heard.source)),
     ];

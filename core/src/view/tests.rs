@@ -57,6 +57,13 @@ fn messages() -> Vec<String> {
                 rudder_order: Some(-3.5),
                 cross_track: Some(12.5),
                 sources: vec![("heading".into(), "gyro1/HE/HDT".into())],
+                heading: Some(245.0),
+                position: Some(place),
+                refused: vec![RefusedView {
+                    quantity: Quantity::Position,
+                    source: "gps/GP/GLL".into(),
+                    why: "jumped".into(),
+                }],
                 terms: Some(Terms {
                     proportional: 1.0,
                     integral: 0.5,

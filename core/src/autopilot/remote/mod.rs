@@ -61,7 +61,7 @@ pub(super) struct Remote {
     /// A heading to steer that waits to be said again.
     stepped: Option<Heading>,
     /// Own position less the chart system's, slowly averaged, metres (TCS-4).
-    offset: Option<Point>,
+    pub(super) offset: Option<Point>,
     /// The chart system's position that was last compared.
     compared: Option<Stamp>,
 }

@@ -59,15 +59,15 @@ impl Autopilot {
     }
 
     /// TCS-4: learns the difference between the own and the chart system's position.
-    pub(super) fn compare_positions(&mut self, now: Stamp) {
+    pub(super) fn compare_positions(&mut self) {
         let picture = &self.post.picture;
         let Some(port) = picture.pney1.as_ref().map(|heard| heard.source.port) else {
             return;
         };
-        let Some(own) = picture.fix(now) else {
+        let Some(own) = self.position_guard.in_use() else {
             return;
         };
-        if own.source.port == port {
+        if own.port == port {
             self.remote.offset = None;
             return;
         }

@@ -33,7 +33,7 @@ impl Autopilot {
         if self.remote.other.is_none_or(|at| now.since(at) > quiet) {
             self.alerts.rectify(now, Alert::HtcConflict);
         }
-        self.compare_positions(now);
+        self.compare_positions();
         if !self.mode.is_autonav() {
             self.alerts.rectify(now, Alert::TrackDataLate);
             self.alerts.rectify(now, Alert::TrackDataRefused);

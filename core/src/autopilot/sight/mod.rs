@@ -1,7 +1,9 @@
 //! What the sensors say, judged: heading, rate of turn, position, speeds (AP-9, FA7 to FA10).
 
+mod belief;
 mod compass;
 mod guard;
+mod position;
 mod source;
 
 use super::modes::{Cause, Event};
@@ -9,16 +11,17 @@ use super::steering::Measured;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
 use crate::limits::{Quantity, limits};
-use crate::picture::{Heard, Source};
+use crate::picture::{Fix, Heard, Source};
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
+pub use belief::Refused;
 pub(super) use compass::Compasses;
 use compass::{Doubt, Reading, Turning};
-use guard::FixVerdict;
-pub(super) use guard::PositionGuard;
+pub(super) use position::PositionGuard;
+use position::Said;
 pub(super) use source::Preferred;
 
 /// Below this speed a course over ground says nothing of the heading, knots.
@@ -130,22 +133,42 @@ impl Autopilot {
         if let Some(ground) = self.fresh(self.post.picture.ground(now), Quantity::Ground) {
             self.position_guard.ground(ground.course, ground.speed);
         }
-        let heard = self.post.picture.fix(now);
-        let new = heard.filter(|fix| self.last_fix.is_none_or(|last| fix.at > last));
-        let new = new.map(|fix| (fix.at, fix.value));
-        if let Some((at, fix)) = new {
-            self.last_fix = Some(at);
-            let verdict = self
-                .position_guard
-                .judge(at, fix.position, self.settings.position_jump);
-            self.alerts
-                .set(now, Alert::PositionJump, verdict != FixVerdict::Taken, "");
-            let engaged = self.mode.is_autonav();
-            self.alerts
-                .set(now, Alert::NoDifferential, engaged && !fix.corrected(), "");
-            if verdict == FixVerdict::Jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
-                self.track_fail(now, Cause::PositionJump, "the position jumped");
-            }
+        let picture = &self.post.picture;
+        let usable = picture
+            .fixes
+            .iter()
+            .filter(|heard| heard.usable(Quantity::Position, now).is_some());
+        let said: Vec<_> = usable
+            .map(|heard| Said {
+                source: &heard.source,
+                rank: picture.rank(&heard.source),
+                position: heard.value.position,
+                at: heard.at,
+            })
+            .collect();
+        let (step, free) = (self.settings.position_jump, self.mode == Mode::Standby);
+        let judged = self.position_guard.judge(now, &said, step, free);
+        if let (Some(by), Some(offset)) = (judged.moved, &mut self.remote.offset) {
+            // The chart system's places have not moved with the plane.
+            offset.north += by.north;
+            offset.east += by.east;
+        }
+        let doubted: Vec<_> = self
+            .position_guard
+            .doubted()
+            .map(|source| picture.source_name(source))
+            .collect();
+        let text = format!(
+            "The position of {} is not used: check the receiver",
+            doubted.join(", ")
+        );
+        self.alerts
+            .set(now, Alert::PositionJump, !doubted.is_empty(), &text);
+        let used = self.fix_in_use().map(|heard| heard.value.corrected());
+        let plain = self.mode.is_autonav() && used == Some(false);
+        self.alerts.set(now, Alert::NoDifferential, plain, "");
+        if judged.jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
+            self.track_fail(now, Cause::PositionJump, "the position jumped");
         }
         self.recentre();
         self.watch_sources(now);
@@ -168,8 +191,8 @@ impl Autopilot {
         let picture = &self.post.picture;
         let of =
             |heard: Option<&Source>| heard.map(|source| (source.clone(), picture.rank(source)));
-        let position = picture
-            .fix(now)
+        let position = self
+            .fix_in_use()
             .filter(|h| h.usable(Quantity::Position, now).is_some());
         let ground = picture
             .ground(now)
@@ -209,6 +232,13 @@ impl Autopilot {
             !speed.is_empty(),
             &speed.join("; "),
         );
+    }
+
+    /// What the receiver in use said last.
+    pub(super) fn fix_in_use(&self) -> Option<&Heard<Fix>> {
+        let used = self.position_guard.in_use()?;
+        let fixes = &self.post.picture.fixes;
+        fixes.iter().find(|heard| heard.source == *used)
     }
 
     pub(super) fn measured(&self, now: Stamp) -> Option<Measured> {
