@@ -116,6 +116,10 @@ alerts! {
     PositionSource = 123, Caution, B, "POSITION SOURCE", "Another position source is in use. Check the receivers";
     /// AP-9: another speed source is in use.
     SpeedSource = 124, Caution, B, "SPEED SOURCE", "Another speed source is in use. Check log and receivers";
+    /// AP-9: the rate of turn is calculated, though a sensor says one.
+    RateOfTurn = 125, Caution, B, "RATE OF TURN", "The measured rate of turn is not used. Check its sensor";
+    /// FA10: too slow to answer the rudder.
+    LowSpeed = 126, Alarm, B, "LOW SPEED", "The speed is below the minimum: the ship hardly answers her rudder";
     /// AP-20: nobody gave the ship's constants.
     ShipUnknown = 131, Caution, B, "SHIP CONSTANTS", "The ship's constants were not given: cautious steering, no track control";
     /// AP-4, FA11: feedback invalid or off the order.

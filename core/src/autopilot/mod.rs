@@ -31,7 +31,7 @@ pub use modes::{Finish, Mode, ModeName};
 use remote::Remote;
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
-use sight::{Compasses, PositionGuard, Preferred};
+use sight::{Compasses, PositionGuard, Preferred, RateGuard, SpeedGuard};
 use steering::{Demand, Steered, Steering, SteeringSettings, TurnBy};
 
 /// A selection of AutoNAV that waits for the chart system (AP-6).
@@ -60,6 +60,8 @@ pub struct Autopilot {
     /// Whether position, ground and water come from the preferred source.
     preferred: [Preferred; 3],
     position_guard: PositionGuard,
+    rate_guard: RateGuard,
+    speed_guard: SpeedGuard,
     remote: Remote,
     /// The ship has been within half the off-track limit since track control began.
     captured: bool,
@@ -102,6 +104,8 @@ impl Autopilot {
             compasses: Compasses::default(),
             preferred: Default::default(),
             position_guard: PositionGuard::default(),
+            rate_guard: RateGuard::default(),
+            speed_guard: SpeedGuard::default(),
             remote: Remote::default(),
             captured: false,
             off_track_since: None,
@@ -293,14 +297,10 @@ impl Autopilot {
         }
     }
 
-    /// Measured speed through the water, else over ground, else the set cruise speed (FA10).
+    /// Measured speed, else the set cruise speed (FA10).
     fn speed(&self) -> Speed {
-        let picture = &self.post.picture;
-        let water = self.fresh(picture.water_speed(self.now), Quantity::WaterSpeed);
-        let ground = self.fresh(picture.ground(self.now), Quantity::Ground);
-        water
-            .or(ground.map(|ground| ground.speed))
-            .unwrap_or(Speed::from_knots(self.settings.cruise_speed))
+        let cruise = Speed::from_knots(self.settings.cruise_speed);
+        self.speed_guard.for_gains().unwrap_or(cruise)
     }
 }
 

@@ -87,9 +87,10 @@ settings! {
     heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
     leg_tolerance: number("m", 10.0 ..= 1000.0, 0, 30.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
+    minimum_speed: number("kn", 0.0 ..= 20.0, 1, 2.0), Engineer, Ship, "Below it the ship hardly answers her rudder: alarm, and gains of the cruise speed; FA10.";
     off_heading_limit: number("deg", 2.0 ..= 60.0, 0, 20.0), Operator, Rudder, "Off-heading limit; AP-5.";
     off_track_limit: number("m", 20.0 ..= 1000.0, 0, 185.0), Operator, ChartSystem, "Off-track alarm in track control where HTC gives no limit of its own.";
-    position_jump: number("m", 10.0 ..= 200.0, 0, 40.0), Engineer, Sensors, "A position off the dead reckoning by more is not used; FA9.";
+    position_jump: number("m", 10.0 ..= 200.0, 0, 30.0), Engineer, Sensors, "A position off the dead reckoning by more is not used; FA9.";
     rudder_limit: number("deg", 2.0 ..= 35.0, 0, 20.0), Operator, Rudder, "Rudder limit of AUTO; not used in AutoNAV (AP-8).";
     rudder_max: number("deg", 10.0 ..= 45.0, 0, 35.0), Engineer, Rudder, "Maximum rudder angle of the gear.";
     rudder_slew: number("deg/s", 0.5 ..= 20.0, 1, 2.3), Engineer, Rudder, "Fastest change of the rudder order; AP-15.";

@@ -2,6 +2,7 @@
 
 use super::super::Autopilot;
 use super::compass::Doubt;
+use super::speed::Measure;
 use crate::alerts::Alert;
 use crate::facts::Quantity;
 use crate::geo::Position;
@@ -56,6 +57,7 @@ impl Autopilot {
             why: match doubt {
                 Doubt::Jumped => "jumped",
                 Doubt::Stuck => "stuck",
+                Doubt::Drifts => "drifts",
             },
         });
         let receivers = self.position_guard.doubted().map(|source| Refused {
@@ -70,7 +72,34 @@ impl Autopilot {
                 source: &heard.source,
                 why: "does not fit",
             });
-        compasses.chain(receivers).chain(commands).collect()
+        let others = self.refused_rate().into_iter().chain(self.refused_speed());
+        compasses
+            .chain(receivers)
+            .chain(commands)
+            .chain(others)
+            .collect()
+    }
+
+    fn refused_rate(&self) -> Option<Refused<'_>> {
+        let heard = self.post.picture.rate(self.now)?;
+        self.rate_guard.doubted().then_some(Refused {
+            quantity: Quantity::RateOfTurn,
+            source: &heard.source,
+            why: "disagrees",
+        })
+    }
+
+    fn refused_speed(&self) -> Option<Refused<'_>> {
+        let picture = &self.post.picture;
+        let (quantity, source) = match self.speed_guard.doubted()? {
+            Measure::Water => (Quantity::WaterSpeed, &picture.water_speed(self.now)?.source),
+            Measure::Ground => (Quantity::Ground, &picture.ground(self.now)?.source),
+        };
+        Some(Refused {
+            quantity,
+            source,
+            why: "disagrees",
+        })
     }
 
     /// Name of a source as `port/talker/formatter`.

@@ -1,8 +1,9 @@
 //! Which compass is believed: each is judged by itself, then the best good one is taken (AP-9, FA7, FA8).
 //!
 //! A compass that jumped is bridged by its prediction for a second, then it is invalid until it has been steady for
-//! ten; one that stands still while the ship turns is stuck. The next good one is taken in the same step; the better
-//! one is taken back after ten seconds of agreement.
+//! ten; one that stands still while the ship turns is stuck; one that goes its own way, while another goes as the rate of
+//! turn says, drifts. The next good one is taken in the same step; the better one is taken back after ten seconds of
+//! agreement.
 
 use super::guard::{HeadingGuard, HeadingVerdict};
 use crate::picture::Source;
@@ -18,6 +19,11 @@ const STILL_DEG: f64 = 0.15;
 /// The ship turned: by the rate of turn, by the course over ground, degrees.
 const TURNED_DEG: f64 = 2.0;
 const COURSE_TURNED_DEG: f64 = 6.0;
+/// A reading is held against the rate of turn over about so long, seconds.
+const DRIFT_TIME_S: f64 = 20.0;
+/// One compass that is off what the rate of turn says by this much drifts, where another is on it within that, degrees.
+const DRIFT_DEG: f64 = 3.0;
+const NO_DRIFT_DEG: f64 = 1.0;
 /// What turned longer ago does not count.
 const STILL_WINDOW_MS: u64 = 30_000;
 
@@ -54,6 +60,8 @@ pub(crate) enum Doubt {
     Jumped,
     /// It stands still while the ship turns.
     Stuck,
+    /// It goes its own way, while another compass goes as the rate of turn says.
+    Drifts,
 }
 
 /// One compass and what is known of it.
@@ -62,6 +70,10 @@ struct Compass {
     source: Source,
     guard: HeadingGuard,
     still: Option<Still>,
+    /// What the rate of turn makes of its earlier readings.
+    expected: Option<Heading>,
+    /// Until when it counts as drifting.
+    drifts_until: Option<Stamp>,
     heading: Option<Heading>,
     doubt: Option<Doubt>,
 }
@@ -105,8 +117,28 @@ impl Compasses {
                 compass.judge(now, reading, turning, jump);
             }
         }
+        if turning.measured {
+            self.hold_against_the_rate(now, turning);
+        }
         self.choose(now, readings, jump, free);
         self.heading()
+    }
+
+    /// AP-9: who goes as the rate of turn says bears witness against who does not; nobody is judged alone.
+    fn hold_against_the_rate(&mut self, now: Stamp, turning: Turning) {
+        let off: Vec<_> = (self.list.iter_mut())
+            .map(|compass| compass.off_the_rate(turning))
+            .collect();
+        let witness = off.iter().flatten().any(|off| *off <= NO_DRIFT_DEG);
+        for (compass, off) in self.list.iter_mut().zip(off) {
+            if witness && off.is_some_and(|off| off > DRIFT_DEG) {
+                compass.drifts_until = Some(now + TRUST_MS);
+            }
+            let drifts = compass.drifts_until.is_some_and(|until| now < until);
+            if drifts && compass.doubt.is_none() {
+                compass.doubt = Some(Doubt::Drifts);
+            }
+        }
     }
 
     fn choose(&mut self, now: Stamp, readings: &[Reading<'_>], jump: f64, free: bool) {
@@ -202,9 +234,22 @@ impl Compass {
             source,
             guard: HeadingGuard::default(),
             still: None,
+            expected: None,
+            drifts_until: None,
             heading: None,
             doubt: None,
         }
+    }
+
+    /// How far the heading is off what the rate of turn makes of the earlier ones, degrees.
+    fn off_the_rate(&mut self, turning: Turning) -> Option<f64> {
+        let heading = self.heading?;
+        let turned = turning.rate.deg_per_s() * turning.dt;
+        let expected = self.expected.unwrap_or(heading) + SignedAngle::from_deg(turned);
+        let off = heading - expected;
+        let share = turning.dt / DRIFT_TIME_S;
+        self.expected = Some(expected + SignedAngle::from_deg(share * off.deg()));
+        Some(off.abs().deg())
     }
 
     fn judge(&mut self, now: Stamp, reading: &Reading<'_>, turning: Turning, jump: f64) {
@@ -245,124 +290,4 @@ impl Compass {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn source(port: usize) -> Source {
-        Source {
-            port,
-            talker: "HE".into(),
-            formatter: "HDT".into(),
-        }
-    }
-
-    struct Bench {
-        compasses: Compasses,
-        now: Stamp,
-    }
-
-    impl Bench {
-        fn step(&mut self, said: &[Option<f64>], rate: f64) -> (Option<f64>, Option<usize>) {
-            self.now = self.now + 100;
-            let sources: Vec<_> = (0..said.len()).map(source).collect();
-            let readings: Vec<_> = said
-                .iter()
-                .zip(&sources)
-                .enumerate()
-                .filter_map(|(rank, (said, source))| {
-                    Some(Reading {
-                        source,
-                        rank: rank as u8,
-                        said: Heading::from_deg((*said)?),
-                        age: 0.0,
-                    })
-                })
-                .collect();
-            let turning = Turning {
-                rate: RateOfTurn::from_deg_per_min(rate),
-                measured: true,
-                course: None,
-                dt: 0.1,
-            };
-            let heading = self
-                .compasses
-                .look(self.now, &readings, turning, 8.0, false);
-            let port = self.compasses.in_use().map(|source| source.port);
-            (heading.map(Heading::deg), port)
-        }
-    }
-
-    fn bench() -> Bench {
-        Bench {
-            compasses: Compasses::default(),
-            now: Stamp(0),
-        }
-    }
-
-    // AP-9: two and three compasses; the first jumps, the next good one is taken, and given back after ten seconds.
-    #[test]
-    fn a_jump_of_one_compass_leads_to_the_next_good_one() {
-        for further in [1, 2] {
-            let mut bench = bench();
-            let all = |first: Option<f64>| {
-                let mut all = alloc::vec![first];
-                all.extend((0..further).map(|_| Some(101.0)));
-                all
-            };
-            assert_eq!(bench.step(&all(Some(100.0)), 0.0).1, Some(0));
-            let mut used = Vec::new();
-            for _ in 0..12 {
-                used.push(bench.step(&all(Some(120.0)), 0.0));
-            }
-            assert_eq!(used[8], (Some(100.0), Some(0)), "bridged for a second");
-            assert_eq!(used[11], (Some(101.0), Some(1)), "then the next good one");
-            assert_eq!(bench.compasses.fallen_from(), Some(&source(0)));
-            for _ in 0..350 {
-                used.push(bench.step(&all(Some(100.0)), 0.0));
-            }
-            assert_eq!(used.last(), Some(&(Some(100.0), Some(0))), "taken back");
-            assert_eq!(bench.compasses.fallen_from(), None);
-        }
-    }
-
-    // AP-9: silent, and the next one has another opinion by more than a jump.
-    #[test]
-    fn a_silent_compass_leads_to_the_next_however_much_it_differs() {
-        let mut bench = bench();
-        bench.step(&[Some(100.0), Some(110.0)], 0.0);
-        assert_eq!(
-            bench.step(&[None, Some(110.0)], 0.0),
-            (Some(110.0), Some(1))
-        );
-        for _ in 0..200 {
-            let back = bench.step(&[Some(100.0), Some(110.0)], 0.0);
-            assert_eq!(back.1, Some(1), "not taken back without agreement");
-        }
-        assert_eq!(bench.step(&[None, None], 0.0), (None, None));
-    }
-
-    // FA8
-    #[test]
-    fn a_compass_that_stands_still_while_the_ship_turns_is_stuck_within_ten_seconds() {
-        let mut bench = bench();
-        let mut since = None;
-        for step in 0..100 {
-            let second = 100.0 + 0.025 * f64::from(step);
-            let seen = bench.step(&[Some(100.0), Some(second)], 15.0);
-            if bench.compasses.doubted().next().is_some() {
-                since.get_or_insert(step);
-                assert_eq!(seen.1, Some(1));
-            }
-        }
-        assert!(since.is_some_and(|step| step < 100), "{since:?}");
-    }
-
-    #[test]
-    fn a_steady_course_is_not_stuck() {
-        let mut bench = bench();
-        for _ in 0..6_000 {
-            bench.step(&[Some(100.0)], 1.0);
-        }
-        assert_eq!(bench.compasses.doubted().count(), 0);
-    }
-}
+mod tests;

@@ -4,7 +4,9 @@ mod belief;
 mod compass;
 mod guard;
 mod position;
+mod rate;
 mod source;
+mod speed;
 
 use super::modes::{Cause, Event};
 use super::steering::Measured;
@@ -13,7 +15,7 @@ use crate::alerts::Alert;
 use crate::limits::{Quantity, limits};
 use crate::picture::{Fix, Heard, Source};
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn};
+use crate::units::Speed;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -22,7 +24,10 @@ pub(super) use compass::Compasses;
 use compass::{Doubt, Reading, Turning};
 pub(super) use position::PositionGuard;
 use position::Said;
+pub(super) use rate::RateGuard;
 pub(super) use source::Preferred;
+use speed::Measure;
+pub(super) use speed::SpeedGuard;
 
 /// Below this speed a course over ground says nothing of the heading, knots.
 const STEERING_KNOTS: f64 = 3.0;
@@ -42,9 +47,10 @@ impl Autopilot {
         let picture = &self.post.picture;
         let rate = self.fresh(picture.rate(now), Quantity::RateOfTurn);
         let ground = self.fresh(picture.ground(now), Quantity::Ground);
+        let believed = !self.rate_guard.doubted();
         let turning = Turning {
-            rate: rate.unwrap_or(self.rate),
-            measured: rate.is_some(),
+            rate: rate.filter(|_| believed).unwrap_or(self.rate),
+            measured: rate.is_some() && believed,
             course: ground
                 .filter(|ground| ground.speed.knots() > STEERING_KNOTS)
                 .and_then(|ground| ground.course),
@@ -67,9 +73,12 @@ impl Autopilot {
         let free = self.mode == Mode::Standby;
         let jump = self.settings.heading_jump;
         self.heading = self.compasses.look(now, &readings, turning, jump, free);
-        self.rate =
-            rate.unwrap_or_else(|| derived_rate(before, self.heading, self.rate, self.step_ms()));
         let changed = source.is_some() && self.compasses.in_use() != source.as_ref();
+        let change = before.zip(self.heading).filter(|_| !changed);
+        self.rate = self
+            .rate_guard
+            .judge(now, rate, change, self.rate, turning.dt);
+        self.say_what_the_rate_does(now);
         if let (true, Some(before), Some(after)) = (changed, before, self.heading) {
             // AP-9: another compass is no turn of the ship.
             self.steering.another_compass(after - before);
@@ -106,7 +115,11 @@ impl Autopilot {
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        let (jumped, stuck) = (list(Doubt::Jumped), list(Doubt::Stuck));
+        let mut jumped = list(Doubt::Jumped);
+        let (stuck, drifts) = (list(Doubt::Stuck), list(Doubt::Drifts));
+        if jumped.is_empty() {
+            jumped = drifts;
+        }
         let fallen = self.compasses.fallen_from().map(name);
         let used = self.compasses.in_use().map(name).unwrap_or_default();
         let text = |what: &str| format!("The heading of {what} is not used: check the compass");
@@ -172,18 +185,41 @@ impl Autopilot {
         }
         self.recentre();
         self.watch_sources(now);
-        let speed = self
-            .fresh(self.post.picture.ground(now), Quantity::Ground)
-            .is_some()
-            || self
-                .fresh(self.post.picture.water_speed(now), Quantity::WaterSpeed)
-                .is_some();
-        self.alerts.set(
-            now,
-            Alert::SpeedLost,
-            !speed && self.mode != Mode::Standby,
-            "",
+        self.look_at_speeds(now);
+    }
+
+    /// FA10: the speed that is believed, and what is said where it is none or too low.
+    fn look_at_speeds(&mut self, now: Stamp) {
+        let picture = &self.post.picture;
+        let water = self.fresh(picture.water_speed(now), Quantity::WaterSpeed);
+        let ground = self.fresh(picture.ground(now), Quantity::Ground);
+        let minimum = Speed::from_knots(self.settings.minimum_speed);
+        let free = self.mode == Mode::Standby;
+        let ground = ground.map(|ground| ground.speed);
+        self.speed_guard.look(now, water, ground, minimum, free);
+        let lost = self.speed_guard.measured().is_none() && !free;
+        self.alerts.set(now, Alert::SpeedLost, lost, "");
+        let low = self.speed_guard.low() && !free;
+        let knots = self.speed_guard.measured().unwrap_or_default().knots();
+        let text = format!(
+            "{knots:.1} kn, the minimum is {:.1}: the ship hardly answers her rudder, the gains are the cruise speed's",
+            minimum.knots()
         );
+        self.alerts.set(now, Alert::LowSpeed, low, &text);
+    }
+
+    /// AP-9: a rate of turn that is calculated, though a sensor says one, is said.
+    fn say_what_the_rate_does(&mut self, now: Stamp) {
+        let picture = &self.post.picture;
+        let name = picture
+            .rate(now)
+            .map(|rate| picture.source_name(&rate.source));
+        let text = format!(
+            "Rate of turn of {} is not used: the heading goes another way. It is calculated",
+            name.unwrap_or_default()
+        );
+        let doubted = self.rate_guard.doubted();
+        self.alerts.set(now, Alert::RateOfTurn, doubted, &text);
     }
 
     /// AP-9: a change of source that nobody ordered is said, until the better one is back.
@@ -218,7 +254,20 @@ impl Autopilot {
             ))
         };
         let position = say(0, "Position");
-        let speed = [say(1, "Speed over ground"), say(2, "Water speed")];
+        let doubted = match self.speed_guard.doubted() {
+            Some(Measure::Water) => {
+                Some("The log is not used: its speed is far off the speed over ground")
+            }
+            Some(Measure::Ground) => {
+                Some("The speed over ground is not used: it is far off the log's")
+            }
+            None => None,
+        };
+        let speed = [
+            say(1, "Speed over ground"),
+            say(2, "Water speed"),
+            doubted.map(String::from),
+        ];
         let speed: Vec<String> = speed.into_iter().flatten().collect();
         self.alerts.set(
             now,
@@ -252,20 +301,4 @@ impl Autopilot {
             position: self.position_guard.fix(now),
         })
     }
-}
-
-/// Rate of turn from the heading where no sensor gives it, smoothed over about 3 s.
-fn derived_rate(
-    before: Option<Heading>,
-    now: Option<Heading>,
-    rate: RateOfTurn,
-    step_ms: u64,
-) -> RateOfTurn {
-    let (Some(before), Some(now)) = (before, now) else {
-        return RateOfTurn::default();
-    };
-    let dt = step_ms as f64 / 1000.0;
-    let raw = (now - before).deg() / dt * 60.0;
-    let share = dt / 3.0;
-    RateOfTurn::from_deg_per_min(rate.deg_per_min() + share * (raw - rate.deg_per_min()))
 }
