@@ -1,6 +1,7 @@
 //! Speed of decoding, encoding, explanation and framing, in millions of lines a second; the best of some rounds.
 //!
 //! `cargo bench -p wheelover-core --bench decode`; beside another crate: `tests/peers`.
+#![allow(clippy::disallowed_types, reason = "what is measured is time")]
 
 use std::hint::black_box;
 use std::time::Instant;

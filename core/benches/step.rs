@@ -1,4 +1,5 @@
 //! Time of one control step of the steering laws and of one step of the world.
+#![allow(clippy::disallowed_types, reason = "what is measured is time")]
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,6 +1,7 @@
 //! The whole voyage against its own clock, and one control step of the autopilot station.
 //!
 //! `cargo bench -p wheelover-core --bench voyage`
+#![allow(clippy::disallowed_types, reason = "what is measured is time")]
 
 use std::time::Instant;
 use wheelover_core::station::Input;

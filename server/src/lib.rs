@@ -14,8 +14,6 @@ mod error;
 mod feed;
 mod guard;
 mod http;
-#[cfg(test)]
-mod layers;
 mod log;
 mod outbox;
 pub mod page;

@@ -4,10 +4,8 @@ use crate::deny;
 use crate::page;
 use crate::serve::server;
 use crate::tools::{BARE, WASM, browser, fonts, gpsd, has_target, wasm_target};
-use std::path::Path;
-use std::process::Command;
 use std::time::Instant;
-use xtask::shell::{Failure, Outcome, cargo, has, output, root, run, step, target, text};
+use xtask::shell::{Failure, Outcome, cargo, has, output, run, step, target};
 
 /// Installs what the tests need, checks and tests everything; the first failure ends it.
 ///
@@ -25,7 +23,6 @@ pub(crate) fn test() -> Outcome {
         },
     )?;
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
-    step("files under 400 lines, one subject each", file_lengths)?;
     let mut not_run = None;
     step("dependencies: licences, sources, advisories", || {
         not_run = deny::dependencies()?;
@@ -164,30 +161,4 @@ fn wasm_tests() -> Outcome {
         command.env("WASM_BINDGEN_USE_BROWSER", "1");
     }
     run(&mut command)
-}
-
-fn file_lengths() -> Outcome {
-    let mut git = Command::new("git");
-    git.args(["ls-files", "*.rs", "*.css", "*.js"])
-        .current_dir(root());
-    let listed = output(&mut git).ok_or_else(|| Failure::new("`git ls-files` failed"))?;
-    let mut faults = Vec::new();
-    for name in listed
-        .lines()
-        .filter(|name| Path::new(&root().join(name)).is_file())
-    {
-        let text = text(&root().join(name))?;
-        let lines = text.lines().count();
-        if lines >= 400 {
-            faults.push(format!("{name}: {lines} lines"));
-        }
-        if name.ends_with(".rs") && !text.starts_with("//!") {
-            faults.push(format!("{name}: its first line does not say its subject"));
-        }
-    }
-    if faults.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::new(faults.join("\n")))
-    }
 }

@@ -1,4 +1,5 @@
 //! What no field may do to the decoder: FB1, FB2 and FB6 over every table entry.
+#![allow(clippy::disallowed_types, reason = "FB1 and FB2 are times")]
 
 use super::generate::{Random, bytes, line, seed};
 use crate::nmea::explain::explain;
