@@ -5,17 +5,20 @@
 
 use crate::error::{Error, reason};
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{BufRead, BufReader, BufWriter, Write};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use wheelover_core::recording;
+use wheelover_core::recording::{self, Replay, Replayed};
 use wheelover_core::time::Stamp;
-use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
+use wheelover_core::voyage::{Event, VoyageConfig, VoyageOutput};
 
 /// Entries that may wait for the disk: some seconds at the fastest pace.
 const QUEUE: usize = 32_768;
+
+/// Version of this program, as it stands in a recording.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What is written.
 enum Entry {
@@ -30,17 +33,17 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    /// Begins a recording with the voyage as it is.
+    /// Begins a recording of a voyage that is made so.
     ///
     /// # Errors
     /// The file cannot be written.
-    pub(crate) fn begin(path: &Path, voyage: &Voyage) -> Result<Self, Error> {
+    pub(crate) fn begin(path: &Path, made: &VoyageConfig) -> Result<Self, Error> {
         let failed = |source| Error::File {
             path: path.display().to_string(),
             source,
         };
         let mut file = BufWriter::new(File::create(path).map_err(failed)?);
-        writeln!(file, "{}", recording::checkpoint(voyage))
+        writeln!(file, "{}", recording::beginning(made, VERSION))
             .and_then(|()| file.flush())
             .map_err(failed)?;
         let (sender, receiver) = sync_channel(QUEUE);
@@ -102,32 +105,56 @@ fn write(mut file: BufWriter<File>, entries: &Receiver<Entry>) -> std::io::Resul
     }
 }
 
-/// Runs a recording again; the exit code is 1 where the outputs differ, and what is said is one line.
+/// Runs a recording again; the exit code is 1 where the outputs differ, and what is said is one line, after the
+/// settings that this program does not know.
 ///
 /// # Errors
-/// The file cannot be read, or is no recording.
+/// The file cannot be read, or is no recording that this program can run.
 pub(crate) fn replay(path: &Path, quiet: bool) -> Result<i32, Error> {
     let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|source| Error::File {
+    let unread = |source| Error::File {
         path: name.clone(),
         source,
-    })?;
-    // A recording that was cut off ends within a line.
-    let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
-    match recording::replay(whole.lines()) {
-        Ok(replayed) => {
-            if !quiet {
-                println!(
-                    "{name}: {} events and {} outputs: all the same",
-                    replayed.events, replayed.outputs
-                );
-            }
-            Ok(0)
-        }
-        Err(error @ recording::RecordingError::Different { .. }) => {
-            println!("{name}: {error}");
-            Ok(1)
-        }
-        Err(error) => Err(Error::Other(format!("{name}: {error}"))),
+    };
+    let mut file = BufReader::new(File::open(path).map_err(unread)?);
+    let mut replay = Replay::default();
+    let mut line = String::new();
+    loop {
+        line.clear();
+        file.read_line(&mut line).map_err(unread)?;
+        // A recording that was cut off ends within a line.
+        let Some(whole) = line.strip_suffix('\n') else {
+            break;
+        };
+        replay
+            .take(whole)
+            .map_err(|error| Error::Other(format!("{name}: {error}")))?;
+    }
+    let done = replay
+        .end()
+        .map_err(|error| Error::Other(format!("{name}: {error}")))?;
+    for note in &done.notes {
+        println!("{name}: {note}");
+    }
+    if let Some(difference) = &done.difference {
+        println!("{name}: {difference} ({})", whose(&done));
+        return Ok(1);
+    }
+    if !quiet {
+        let (events, outputs) = (done.events, done.outputs);
+        println!("{name}: {events} events and {outputs} outputs: all the same");
+    }
+    Ok(0)
+}
+
+/// What a difference is due to, as far as it can be told.
+fn whose(done: &Replayed) -> String {
+    match done.program.as_str() {
+        VERSION => format!("recorded by this version, {VERSION}"),
+        "" => format!(
+            "recorded in format {} by an earlier version; this is {VERSION}, which may do otherwise",
+            done.format
+        ),
+        other => format!("recorded by version {other}; this is {VERSION}, which may do otherwise"),
     }
 }

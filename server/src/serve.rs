@@ -23,7 +23,7 @@ use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{Order, Origin, Outline};
-use wheelover_core::voyage::{Event, Voyage};
+use wheelover_core::voyage::{Event, Voyage, VoyageConfig};
 
 /// Seed of the embedded voyage: every start sails the same.
 const SEED: u64 = 1;
@@ -114,14 +114,15 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         Some(config) => Some(Ready::open(config).await?),
         None => None,
     };
-    let mut voyage = config.map_or_else(|| Voyage::embedded(SEED), Config::voyage);
-    if let Some(speed) = options.speed {
-        set_pace(&mut voyage, speed)?;
-    }
-    let recorder = match &options.record {
-        Some(path) => Some(Recorder::begin(path, &voyage)?),
+    let made = config.map_or_else(|| VoyageConfig::embedded(SEED), Config::voyage);
+    let mut recorder = match &options.record {
+        Some(path) => Some(Recorder::begin(path, &made)?),
         None => None,
     };
+    let mut voyage = Voyage::configured(made);
+    if let Some(speed) = options.speed {
+        set_pace(&mut voyage, speed, recorder.as_mut())?;
+    }
     let links = config.map_or_else(Vec::new, links);
     let simulated = voyage.is_embedded();
     let (feed, news, told) = Feed::new();
@@ -205,7 +206,7 @@ async fn listen(options: &Options) -> Result<(TcpListener, SocketAddr), Error> {
     Ok((listener, addr))
 }
 
-fn set_pace(voyage: &mut Voyage, speed: f64) -> Result<(), Error> {
+fn set_pace(voyage: &mut Voyage, speed: f64, recorder: Option<&mut Recorder>) -> Result<(), Error> {
     if !voyage.is_embedded() {
         let text = "--speed is for the embedded voyage; with a configuration time is as it is";
         return Err(Error::Other(text.to_owned()));
@@ -216,6 +217,13 @@ fn set_pace(voyage: &mut Voyage, speed: f64) -> Result<(), Error> {
         by: Origin::Officer,
         order: Order::Speed(speed),
     };
-    voyage.handle(Stamp(0), event, &mut out);
+    if let Some(recorder) = recorder {
+        recorder.event(Stamp(0), &event);
+        voyage.handle(Stamp(0), event, &mut out);
+        out.iter()
+            .for_each(|output| recorder.output(Stamp(0), output));
+    } else {
+        voyage.handle(Stamp(0), event, &mut out);
+    }
     Ok(())
 }

@@ -30,8 +30,7 @@ use serde::{Deserialize, Serialize};
 pub use setup::{Role, VoyageConfig};
 
 /// What happens to a voyage. A log of `(time, event)` is the whole story (CFG-1).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Event {
     /// Bytes heard on a real port.
     Bytes {
@@ -66,8 +65,7 @@ pub enum Event {
 }
 
 /// What a voyage gives.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum VoyageOutput {
     /// Bytes for a real port.
     Send {

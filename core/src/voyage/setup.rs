@@ -17,11 +17,12 @@ use alloc::collections::VecDeque;
 use alloc::string::ToString;
 use alloc::vec;
 use alloc::vec::Vec;
-use serde::{Deserialize, Serialize};
 
 /// What a voyage is made of.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct VoyageConfig {
+    /// The embedded voyage: the scripted officer sails the route of `chart` round and round.
+    pub embedded: bool,
     /// Stations that run here; the rest is real equipment behind the ports.
     pub roles: Vec<Role>,
     /// Ports to the outside: whose, and what.
@@ -57,24 +58,23 @@ const INSIDE: [(Profile, Role, &[Role]); 5] = [
     (Profile::Gear, Role::World, &[Role::Autopilot]),
 ];
 
-impl Voyage {
-    /// The embedded voyage: all stations, no ports, the scripted officer on watch (CLI-1).
+impl VoyageConfig {
+    /// The embedded voyage: all stations, no ports (CLI-1).
     #[must_use]
     pub fn embedded(seed: u64) -> Self {
-        let route = route::embedded();
         let (start, heading) = route::embedded_start();
-        let settings = Settings {
-            rudder_slew: 5.0, // the Mariner's gear
-            external_tcs: true,
-            ..Settings::default()
-        };
-        let config = VoyageConfig {
+        Self {
+            embedded: true,
             roles: Role::ALL.to_vec(),
             ports: Vec::new(),
-            settings,
+            settings: Settings {
+                rudder_slew: 5.0, // the Mariner's gear
+                external_tcs: true,
+                ..Settings::default()
+            },
             ship: Some(SteeringSettings::default()),
             chart: ChartConfig {
-                route: Some(route.clone()),
+                route: Some(route::embedded()),
                 ..ChartConfig::default()
             },
             world: WorldConfig {
@@ -85,11 +85,15 @@ impl Voyage {
                 current_drift: Speed::from_knots(1.0),
                 ..WorldConfig::default()
             },
-        };
-        let mut voyage = Self::configured(config);
-        voyage.embedded = Some(route);
-        voyage.officer.on = true;
-        voyage
+        }
+    }
+}
+
+impl Voyage {
+    /// The embedded voyage, the scripted officer on watch.
+    #[must_use]
+    pub fn embedded(seed: u64) -> Self {
+        Self::configured(VoyageConfig::embedded(seed))
     }
 
     /// The stations named in the roles; everything else is behind the ports.
@@ -109,6 +113,7 @@ impl Voyage {
             .find(|role| runs(*role))
             .unwrap_or(Role::Autopilot);
         let now = Stamp(0);
+        let embedded = config.chart.route.clone().filter(|_| config.embedded);
         let up = vec![false; outside.len()];
         Self {
             autopilot: runs(Role::Autopilot)
@@ -130,8 +135,8 @@ impl Voyage {
             up,
             shown,
             line: 0,
-            embedded: None,
-            officer: Officer::new(now, false),
+            officer: Officer::new(now, embedded.is_some()),
+            embedded,
             round: 1,
             speed: 1.0,
             route_revision: 0,

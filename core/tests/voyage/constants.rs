@@ -11,6 +11,7 @@ use wheelover_core::world::WorldConfig;
 /// A turn in AUTO by a ship that is named and may have constants of her own; the rudder orders that it takes.
 fn turn(own: Option<(f64, f64)>, change: Option<Order>) -> Vec<String> {
     let mut voyage = Voyage::configured(VoyageConfig {
+        embedded: false,
         roles: Role::ALL.to_vec(),
         ports: Vec::new(),
         settings: Settings {

@@ -288,7 +288,7 @@ fn settings_that_agree_together_are_taken_in_any_order() {
 #[test]
 fn without_a_route_a_configuration_has_none() {
     let config = from_text("w.toml", "roles = [\"chart_system\"]\n", None).unwrap();
-    let voyage = config.voyage();
+    let voyage = wheelover_core::voyage::Voyage::configured(config.voyage());
     let waypoints = wheelover_core::view::route_document(&voyage).waypoints;
     assert_eq!(waypoints.len(), 0);
 }

@@ -7,13 +7,13 @@ use wheelover_core::route::embedded_start;
 use wheelover_core::station::PortSetup;
 use wheelover_core::station::Role;
 use wheelover_core::units::{Course, Heading, Speed};
-use wheelover_core::voyage::{Voyage, VoyageConfig};
+use wheelover_core::voyage::VoyageConfig;
 use wheelover_core::world::WorldConfig;
 
 impl Config {
     /// The voyage of this configuration.
     #[must_use]
-    pub(crate) fn voyage(&self) -> Voyage {
+    pub(crate) fn voyage(&self) -> VoyageConfig {
         let ship = &self.ship;
         let ports = self.ports.iter().enumerate().map(|(index, port)| {
             let setup = PortSetup {
@@ -31,14 +31,15 @@ impl Config {
             ],
             ..ChartConfig::default()
         };
-        Voyage::configured(VoyageConfig {
+        VoyageConfig {
+            embedded: false,
             roles: self.roles.clone(),
             ports: ports.collect(),
             settings: self.settings.clone(),
             ship: self.named_ship(),
             chart,
             world: self.world(),
-        })
+        }
     }
 
     /// AP-20: a ship that is named, by `model` or by running here, brings her constants; her own ones go before.
