@@ -79,7 +79,11 @@ macro_rules! settings {
 
 settings! {
     accept_null_status: switch(true), Engineer, ChartSystem, "An HTC whose status (field 14) is null commands; HTC 14.";
+    antenna_forward_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Antenna of the own receivers forward of midships; AP-16.";
+    antenna_starboard_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Antenna of the own receivers to starboard of the midship line; AP-16.";
     centre_tolerance: number("m", 10.0 ..= 500.0, 0, 60.0), Engineer, ChartSystem, "A radius centre that is off the leg and the radius by more is refused.";
+    conning_forward_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Conning position, which is what is steered along the track, forward of midships; AP-16.";
+    conning_starboard_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Conning position to starboard of the midship line; AP-16.";
     cruise_speed: number("kn", 1.0 ..= 40.0, 1, 12.0), Operator, SetValues, "Speed used for the gains while no speed is measured.";
     external_tcs: switch(false), Engineer, ChartSystem, "AutoNAV is enabled at installation; AP-6.";
     forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";

@@ -150,6 +150,44 @@ fn a_single_one_changes_nothing() {
     }
 }
 
+// TCS-4: a position of the chart system's that is off for once is nothing to learn from.
+#[test]
+fn a_single_position_of_the_chart_system_far_off_changes_nothing() {
+    for situation in [2, 3, 4] {
+        for minutes in [0.05, 0.1, -1.0, 30.0] {
+            let mut rig = at(situation);
+            let until = rig.now + 1_000;
+            rig.filter(move |now, from, line| {
+                if from != Profile::Ecdis || now > until || !line.contains("GLL") {
+                    return Some(line.to_string());
+                }
+                let lat: f64 = line.split(',').nth(1)?.parse().ok()?;
+                Some(edited(line, &[(1, &format!("{:09.4}", lat + minutes))]))
+            });
+            let (rig, apart, failed) = beside(rig, situation, 12.0);
+            let what = format!("situation {situation}, {minutes} minutes");
+            assert_eq!(failed, None, "{what}: {}", rig.autopilot.why());
+            assert!(apart < 1.5, "{what}: the order moved by {apart}");
+        }
+    }
+}
+
+// SEN-4: the centre is left out on the arc: the turn goes on, and it is said.
+#[test]
+fn a_turn_whose_centre_is_left_out_is_a_caution() {
+    let mut rig = at(4);
+    spoil(
+        &mut rig,
+        ("PNEY,002", &[(2, ""), (3, ""), (4, ""), (5, "")]),
+        Stamp(u64::MAX),
+    );
+    let (rig, apart, failed) = beside(rig, 4, 8.0);
+    assert_eq!(failed, None);
+    assert!(apart < 1.5, "the order moved by {apart}");
+    let text = rig.text(Alert::TrackDataRefused);
+    assert!(text.contains("PNEY,002 has no centre"), "{text}");
+}
+
 // A radius without its centre: never straight on into the bank.
 #[test]
 fn a_radius_whose_centre_never_comes_is_track_fail_and_the_turn_is_made() {

@@ -8,6 +8,7 @@ mod constants;
 mod cross_track;
 mod entry;
 mod monte_carlo;
+mod offsets;
 mod order;
 mod refused_commands;
 mod rig;

@@ -126,15 +126,19 @@ impl Rig {
     /// Under track control on the first leg of `route`.
     pub(crate) fn tracking_on(route: Route) -> Self {
         let mut rig = Self::new(route, 3);
-        rig.run(5.0);
-        rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
-        rig.run(5.0);
-        rig.ask(ChartRequest::Track).unwrap();
-        rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
-        rig.until("track control", 20.0, |rig| {
-            rig.mode() == ModeName::AutonavTi
-        });
+        rig.engage();
         rig
+    }
+
+    /// From STANDBY to track control.
+    pub(crate) fn engage(&mut self) {
+        self.run(5.0);
+        self.command(Order::Mode(ModeRequest::Auto)).unwrap();
+        self.run(5.0);
+        self.ask(ChartRequest::Track).unwrap();
+        self.command(Order::Mode(ModeRequest::Autonav)).unwrap();
+        let engaged = |rig: &Self| rig.mode() == ModeName::AutonavTi;
+        self.until("track control", 20.0, engaged);
     }
 
     /// Sets what becomes of lines to the autopilot.
@@ -148,8 +152,7 @@ impl Rig {
     /// From now on nothing of that formatter (all, if empty) comes from that profile.
     pub(crate) fn silence(&mut self, profile: Profile, formatter: &'static str) {
         self.filter(move |_, from, line| {
-            let hit = from == profile && line.contains(formatter);
-            (!hit).then(|| line.to_string())
+            (from != profile || !line.contains(formatter)).then(|| line.to_string())
         });
     }
 
@@ -167,9 +170,7 @@ impl Rig {
 
     /// Says a line to the autopilot now; the checksum is added.
     pub(crate) fn say(&mut self, profile: Profile, body: &str) {
-        let bytes = format!("{}\r\n", with_checksum(body)).into_bytes();
-        self.tell_autopilot(profile, &bytes);
-        self.carry();
+        self.say_raw(profile, &with_checksum(body));
     }
 
     /// Says a line to the autopilot as it stands.

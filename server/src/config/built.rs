@@ -27,10 +27,10 @@ const PROFILES: [&str; 9] = [
 /// Keys of `[ship]` that only some stations use.
 const SHIP: [(&str, &[Role]); 15] = [
     ("model", &[Role::Autopilot, Role::World]),
-    ("antenna_forward_m", &[Role::ChartSystem]),
-    ("antenna_starboard_m", &[Role::ChartSystem]),
-    ("conning_forward_m", &[Role::ChartSystem]),
-    ("conning_starboard_m", &[Role::ChartSystem]),
+    ("antenna_forward_m", &[Role::Autopilot, Role::ChartSystem]),
+    ("antenna_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
+    ("conning_forward_m", &[Role::Autopilot, Role::ChartSystem]),
+    ("conning_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
     ("rudder_max_deg", &[Role::Autopilot]),
     ("rudder_slew_deg_s", &[Role::Autopilot]),
     ("start_lat", &[Role::World]),

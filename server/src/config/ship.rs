@@ -92,10 +92,15 @@ impl Ship {
         self.speed_kn.unwrap_or(15.0)
     }
 
-    /// Her constants by the names of the settings table (AP-20).
-    pub(super) fn constants(&self) -> [(&'static str, Option<f64>); 9] {
+    /// Her constants and offsets by the names of the settings table (AP-16, AP-20).
+    pub(super) fn constants(&self) -> [(&'static str, Option<f64>); 13] {
         let turn = |index: usize| self.steady_turn.map(|curve| curve[index]);
+        let offset = |metres: f64| (metres != 0.0).then_some(metres);
         [
+            ("antenna_forward_m", offset(self.antenna_forward_m)),
+            ("antenna_starboard_m", offset(self.antenna_starboard_m)),
+            ("conning_forward_m", offset(self.conning_forward_m)),
+            ("conning_starboard_m", offset(self.conning_starboard_m)),
             ("length_m", self.length_m),
             ("speed_kn", self.speed_kn),
             ("gain_per_s", self.gain_per_s),

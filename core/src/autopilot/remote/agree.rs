@@ -34,6 +34,8 @@ const TURN_AHEAD_DEG: f64 = 40.0;
 const CENTRE_GRACE_MS: u64 = 1_500;
 /// An arc begins at most so far ahead of the ship, seconds of way and metres.
 const ARC_AHEAD: (f64, f64) = (150.0, 1_500.0);
+/// Said while a turn is made without its centre.
+const NO_CENTRE: &str = "PNEY,002 has no centre: the turn is made by leg, radius and place";
 /// Centres this far apart belong to different turns, metres.
 const SAME_TURN_M: f64 = 50.0;
 
@@ -72,6 +74,8 @@ impl Autopilot {
             return Ok(()); // what belongs to it has not come yet
         };
         self.remote.agreed = now;
+        let centred = radius.is_none() || self.centre().is_some();
+        self.remote.makeshift = (!centred).then(|| NO_CENTRE.into());
         if let Mode::AutonavTi {
             path,
             radius: accepted,

@@ -62,6 +62,10 @@ pub(super) struct Remote {
     stepped: Option<Heading>,
     /// Own position less the chart system's, slowly averaged, metres (TCS-4).
     pub(super) offset: Option<Point>,
+    /// How far apart the two positions were last, metres.
+    apart: f64,
+    /// What is laid though something of it was not said; absent where all was (SEN-4).
+    makeshift: Option<String>,
     /// The chart system's position that was last compared.
     compared: Option<Stamp>,
 }
@@ -83,6 +87,7 @@ impl Remote {
         self.wheel_over = None;
         self.turn = TurnPlan::default();
         self.stepped = None;
+        self.makeshift = None;
         self.leg = leg;
     }
 

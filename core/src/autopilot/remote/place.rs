@@ -12,6 +12,8 @@ use alloc::string::String;
 
 /// Time constant of the difference of the two positions, seconds.
 const OFFSET_TIME_S: f64 = 60.0;
+/// A difference that is off the averaged one by more counts as this much, metres.
+const LEARNS_M: f64 = 20.0;
 /// Own and chart system's position farther apart cannot be the same ship, metres.
 const POSITIONS_APART_M: f64 = 400.0;
 
@@ -68,7 +70,7 @@ impl Autopilot {
             return;
         };
         if own.port == port {
-            self.remote.offset = None;
+            (self.remote.offset, self.remote.apart) = (None, 0.0);
             return;
         }
         let charted = picture.fixes.iter().find(|fix| fix.source.port == port);
@@ -92,20 +94,28 @@ impl Autopilot {
             .compared
             .map_or(1_000, |at| charted.at.since(at));
         self.remote.compared = Some(charted.at);
+        self.remote.apart = apart.distance(Point::default());
+        if self.remote.apart > POSITIONS_APART_M {
+            return; // another ship's place, or a glitch: nothing is learned of it
+        }
         let share = (since as f64 / 1000.0 / OFFSET_TIME_S).min(1.0);
         self.remote.offset = Some(match self.remote.offset {
-            Some(offset) => Point {
-                north: offset.north + share * (apart.north - offset.north),
-                east: offset.east + share * (apart.east - offset.east),
-            },
+            Some(offset) => {
+                // A jump is learned no faster than a drift.
+                let off = offset.distance(apart);
+                let share = share * (LEARNS_M / off.max(LEARNS_M));
+                Point {
+                    north: offset.north + share * (apart.north - offset.north),
+                    east: offset.east + share * (apart.east - offset.east),
+                }
+            }
             None => apart,
         });
     }
 
     /// The two positions are those of one ship.
     pub(in super::super) fn positions_agree(&self) -> Result<(), String> {
-        let offset = self.remote.offset.unwrap_or_default();
-        let apart = offset.distance(Point::default());
+        let apart = self.remote.apart;
         if apart > POSITIONS_APART_M {
             return Err(format!(
                 "own and the chart system's position are {apart:.0} m apart"

@@ -46,7 +46,9 @@ impl Autopilot {
         if self.fail_if_old(now) {
             return;
         }
-        let refused = disagreement.or_else(|| self.refused_since(self.remote_heard()));
+        let refused = disagreement
+            .or_else(|| self.refused_since(self.remote_heard()))
+            .or_else(|| self.remote.makeshift.clone());
         self.alerts.set(
             now,
             Alert::TrackDataRefused,

@@ -12,8 +12,10 @@ use super::modes::{Cause, Event};
 use super::steering::Measured;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
+use crate::geo::{Plane, Point, Position};
 use crate::limits::{Quantity, limits};
 use crate::picture::{Fix, Heard, Source};
+use crate::station::Profile;
 use crate::time::Stamp;
 use crate::units::Speed;
 use alloc::format;
@@ -155,7 +157,7 @@ impl Autopilot {
             .map(|heard| Said {
                 source: &heard.source,
                 rank: picture.rank(&heard.source),
-                position: heard.value.position,
+                position: self.at_conning_position(heard),
                 at: heard.at,
             })
             .collect();
@@ -281,6 +283,23 @@ impl Autopilot {
             !speed.is_empty(),
             &speed.join("; "),
         );
+    }
+
+    /// AP-16: where the conning position is by an antenna of ours; the chart system's positions are of it already.
+    fn at_conning_position(&self, heard: &Heard<Fix>) -> Position {
+        let settings = &self.settings;
+        let forward = settings.conning_forward_m - settings.antenna_forward_m;
+        let starboard = settings.conning_starboard_m - settings.antenna_starboard_m;
+        let ours = self.post.ports()[heard.source.port].profile != Profile::Ecdis;
+        match self.heading {
+            Some(heading) if ours && (forward, starboard) != (0.0, 0.0) => {
+                let there = Point::default()
+                    .towards(heading.deg(), forward)
+                    .towards(heading.deg() + 90.0, starboard);
+                Plane::at(heard.value.position).position(there)
+            }
+            _ => heard.value.position,
+        }
     }
 
     /// What the receiver in use said last.

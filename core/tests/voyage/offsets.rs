@@ -1,0 +1,107 @@
+//! The own receiver stands elsewhere than the chart system's: the ship is on the chart system's track all the same (TCS-4, AP-16).
+
+use crate::rig::{Rig, edited, off_path, route};
+use wheelover_core::geo::{Plane, Point, Position};
+use wheelover_core::nmea::{self, Gll, Hdt, Pney1};
+use wheelover_core::settings::Value;
+use wheelover_core::station::Profile;
+use wheelover_core::view::Order;
+
+/// Moves what the own receiver says by `ahead` and `right` metres, of north or of the bow.
+fn displace(rig: &mut Rig, (ahead, right): (f64, f64), of_the_bow: bool) {
+    let mut bow = 0.0;
+    rig.filter(move |_, from, line| {
+        let sentence = nmea::decode(line.as_bytes());
+        if let (Profile::Gyro1, Some(hdt)) = (from, Hdt::from_sentence(&sentence)) {
+            bow = hdt.heading.unwrap_or(bow);
+        }
+        let gll = Gll::from_sentence(&sentence).and_then(|gll| gll.position);
+        Some(match (from, gll) {
+            (Profile::Gps, Some(place)) => {
+                let axis = if of_the_bow { bow } else { 0.0 };
+                let moved = Point::default()
+                    .towards(axis, ahead)
+                    .towards(axis + 90.0, right);
+                let [lat, lon] = text(Plane::at(place).position(moved));
+                edited(line, &[(1, &lat), (3, &lon)])
+            }
+            _ => line.into(),
+        })
+    });
+}
+
+fn text(place: Position) -> [String; 2] {
+    let part = |degrees: f64, width: usize| {
+        let whole = degrees.abs().floor();
+        format!("{whole:0width$.0}{:08.5}", (degrees.abs() - whole) * 60.0)
+    };
+    [part(place.lat, 2), part(place.lon, 3)]
+}
+
+/// Sails leg, arc and leg; how far she is off the leg at its end by PNEY,001, off the arc at most, and off the next leg.
+fn sail(mut rig: Rig) -> [f64; 3] {
+    let control = |rig: &Rig| {
+        let line = rig.line("PNEY,001").to_string();
+        let pney1 = Pney1::from_sentence(&nmea::decode(line.as_bytes())).unwrap();
+        pney1.cross_track.unwrap().abs() * 1852.0
+    };
+    rig.until("wheel-over", 900.0, |rig| rig.chart.situation() == 3);
+    let before = control(&rig);
+    rig.until("the arc", 100.0, |rig| rig.chart.situation() == 4);
+    let mut arc = 0.0_f64;
+    while rig.chart.situation() == 4 {
+        rig.step();
+        let place = rig.world.truth().position;
+        if rig.chart.situation() == 4 {
+            arc = arc.max(off_path(&rig.route, &rig.chart, place));
+        }
+    }
+    rig.run(200.0);
+    assert_eq!(rig.chart.situation(), 5);
+    rig.check_orders();
+    [before, arc, control(&rig)]
+}
+
+// TCS-4: 20 m in eight directions; the averaged difference of the two positions takes them out.
+#[test]
+fn a_receiver_beside_the_chart_systems_does_not_move_the_track() {
+    let [_, sound, _] = sail(Rig::tracking());
+    for bearing in 0..8 {
+        let angle = f64::from(bearing) * 45.0_f64.to_radians();
+        let mut rig = Rig::tracking();
+        displace(&mut rig, (20.0 * angle.cos(), 20.0 * angle.sin()), false);
+        let [before, arc, after] = sail(rig);
+        assert!(
+            before < 4.0 && after < 4.0,
+            "{bearing}: {before} and {after} m off the legs"
+        );
+        assert!(
+            arc < sound + 5.0,
+            "{bearing}: {arc} m off the arc, {sound} without"
+        );
+    }
+}
+
+// AP-16: an antenna 60 m aft and 10 m to port of the conning position.
+#[test]
+fn an_antenna_away_from_the_conning_position_does_not_carry_her_off_the_arc() {
+    let [_, sound, _] = sail(Rig::tracking());
+    let aft = |given: bool| {
+        let mut rig = Rig::new(route(&[(245.0, 2.5), (305.0, 2.5)], 0.5), 3);
+        displace(&mut rig, (-60.0, -10.0), true);
+        let arms = [("antenna_forward_m", -60.0), ("antenna_starboard_m", -10.0)];
+        for (key, value) in arms.into_iter().filter(|_| given) {
+            let (key, value) = (key.into(), Value::Number(value));
+            rig.command(Order::Setting { key, value }).unwrap();
+        }
+        rig.engage();
+        sail(rig)
+    };
+    let ([_, unsaid, _], [before, arc, after]) = (aft(false), aft(true));
+    assert!(
+        before < 4.0 && after < 4.0,
+        "{before} and {after} m off the legs"
+    );
+    assert!(arc < sound + 3.0, "{arc} m off the arc, {sound} without");
+    assert!(unsaid > arc + 3.0, "the test tells nothing: {unsaid} m");
+}
