@@ -83,7 +83,7 @@ fn rows(out: &mut String, members: &[Kind], texts: &[MemberText], at: &mut usize
                 words.note
             )
         };
-        if let Kind::Code(letters) = kind {
+        if let Kind::Code(letters) | Kind::Letters(letters, _) = kind {
             for (letter, meaning) in letters.iter().zip(words.meanings) {
                 let _ = write!(out, " `{}` {meaning};", char::from(*letter));
             }
@@ -129,6 +129,7 @@ fn contents(kind: &Kind) -> String {
             )
         }
         Kind::Code(_) => "code".into(),
+        Kind::Letters(_, most) => alloc::format!("codes, at most {most}"),
         Kind::Text(limit) => alloc::format!("text, at most {limit}"),
         Kind::Position(decimals) => {
             alloc::format!("ddmm.mm, N/S, dddmm.mm, E/W, {decimals} decimals")

@@ -102,7 +102,7 @@ impl<'o> Writer<'o> {
             Kind::Angle { degrees, decimals } => self.angle(*degrees, *decimals, cell),
             Kind::Hex(digits) => self.hex(*digits, cell),
             Kind::Time | Kind::Date | Kind::Code(_) => self.plain(cell, 255),
-            Kind::Text(limit) => self.plain(cell, *limit),
+            Kind::Text(limit) | Kind::Letters(_, limit) => self.plain(cell, *limit),
             Kind::Payload | Kind::Any => self.plain(cell, 255),
         }
     }

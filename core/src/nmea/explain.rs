@@ -302,7 +302,7 @@ fn member<'a>(
             push(1, Part::Side, value, None, compass(side));
         }
         Kind::Hex(_) => push(0, Part::Whole, integer(item.value), None, None),
-        Kind::Time | Kind::Date | Kind::Text(_) | Kind::Payload | Kind::Any => {
+        Kind::Time | Kind::Date | Kind::Text(_) | Kind::Letters(..) | Kind::Payload | Kind::Any => {
             push(0, Part::Whole, typed(item.value), None, None);
         }
     }

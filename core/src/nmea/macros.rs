@@ -19,6 +19,9 @@ macro_rules! kind {
     (code($e:ident)) => {
         $crate::nmea::table::Kind::Code($e::LETTERS)
     };
+    (letters($e:ident, $n:literal)) => {
+        $crate::nmea::table::Kind::Letters($e::LETTERS, $n)
+    };
     (text($n:literal)) => {
         $crate::nmea::table::Kind::Text($n)
     };
@@ -58,6 +61,9 @@ macro_rules! meanings {
     (code($e:ident)) => {
         $e::MEANINGS
     };
+    (letters($e:ident, $n:literal)) => {
+        $e::MEANINGS
+    };
     ($k:ident $a:tt) => {
         &[]
     };
@@ -67,6 +73,7 @@ macro_rules! view_type {
     (integer $a:tt) => { Option<u32> };
     (hex $a:tt) => { Option<u32> };
     (code($e:ident)) => { Option<$e> };
+    (letters $a:tt) => { Option<alloc::string::String> };
     (text $a:tt) => { Option<alloc::string::String> };
     (payload $a:tt) => { Option<alloc::string::String> };
     (any $a:tt) => { Option<alloc::string::String> };

@@ -61,6 +61,9 @@ pub(crate) fn read_here<'a>(
             Some(date) => Value::Date(date),
             None => null_or_fault(field, n, faults, FaultKind::BadDate),
         },
+        Kind::Letters(letters, most) => {
+            checked(field, n, faults, |text| wrong_letters(text, letters, *most))
+        }
         Kind::Text(limit) => checked(field, n, faults, |text| wrong_text(text, *limit)),
         Kind::Angle { degrees, .. } => single_angle(field, fields.part(), *degrees, n, faults),
         Kind::Hex(_) if field.is_empty() => Value::Null,
@@ -247,6 +250,15 @@ fn wrong_text(field: &[u8], limit: u8) -> Option<FaultKind> {
         }
     }
     (length > usize::from(limit)).then_some(FaultKind::TooMuchText(limit))
+}
+
+/// What is wrong with letters that each have a meaning.
+#[inline(never)]
+fn wrong_letters(field: &[u8], letters: &[u8], most: u8) -> Option<FaultKind> {
+    if !field.iter().all(|letter| letters.contains(letter)) {
+        return Some(FaultKind::UnknownCode);
+    }
+    (field.len() > usize::from(most)).then_some(FaultKind::TooMuchText(most))
 }
 
 #[inline(never)]

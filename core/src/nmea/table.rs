@@ -169,6 +169,8 @@ pub enum Kind {
     Crossed(Format, Sides, u8),
     /// A letter with a meaning.
     Code(&'static [u8]),
+    /// At most so many letters, each with a meaning.
+    Letters(&'static [u8], u8),
     /// Text of at most so many characters.
     Text(u8),
     /// Latitude, N/S, longitude, E/W.

@@ -90,7 +90,7 @@ sentences! {
     gns = "GNS" b'$' [13, 12] "GNSS fix data", "IEC 61162-1 GNS" {
         time: time() "UTC of the position.",
         position: position(5) "Position.",
-        modes: text(8) "Mode indicator of each system: GPS, GLONASS, Galileo and further ones.",
+        modes: letters(ModeIndicator, 8) "Mode indicator of each system: GPS, GLONASS, Galileo and further ones.",
         satellites: integer(whole(0, 99, 2)) "Satellites in use.",
         hdop: number(SIZE) "Horizontal dilution of precision.",
         altitude: number(METRES) "Antenna above mean sea level.",
@@ -197,6 +197,6 @@ sentences! {
         orientation: number(DIRECTION) "Orientation of the semi-major axis.",
         altitude_error: number(METRES) "Standard deviation of the altitude.",
         accuracy: number(METRES) "Selected accuracy level.",
-        integrity: text(3) "A letter each for RAIM, SBAS and Galileo: V not in use, S safe, C caution, U unsafe.",
+        integrity: letters(NavigationStatus, 3) "A letter each for RAIM, SBAS and Galileo; V where it is not in use.",
     }
 }

@@ -15,6 +15,20 @@ codes! {
         Both = b'A' "speed, latitude and dynamic corrections", Dynamic = b'D' "dynamic correction", Static = b'S' "speed and latitude correction",
         None = b'N' "no correction", NotAvailable = b'V' "not available",
     }
+    /// Type of a transducer.
+    TransducerType {
+        Angle = b'A' "angular displacement", AbsoluteHumidity = b'B' "absolute humidity", Temperature = b'C' "temperature",
+        Displacement = b'D' "linear displacement", Level = b'E' "fluid level", Frequency = b'F' "frequency", Generic = b'G' "generic",
+        Humidity = b'H' "humidity", Current = b'I' "current", Salinity = b'L' "salinity", Force = b'N' "force", Pressure = b'P' "pressure",
+        Flow = b'R' "flow rate", Switch = b'S' "switch or valve", Tachometer = b'T' "tachometer", Voltage = b'U' "voltage", Volume = b'V' "volume",
+    }
+    /// Unit of a transducer's reading; some letters have a meaning for each type.
+    TransducerUnit {
+        Ampere = b'A' "amperes", Bar = b'B' "bars", Celsius = b'C' "degrees Celsius", Degree = b'D' "degrees", Hertz = b'H' "hertz",
+        Density = b'K' "kilograms per cubic metre", Litres = b'l' "litres a second", LitresAlso = b'L' "litres a second, as some write it",
+        Metre = b'M' "metres or cubic metres", Newton = b'N' "newtons", Pascal = b'P' "pascals or per cent", Revolutions = b'R' "revolutions a minute",
+        PartsPerThousand = b'S' "parts per thousand", Volt = b'V' "volts",
+    }
 }
 
 sentences! {
@@ -116,9 +130,9 @@ sentences! {
     }
     xdr as Xdr = "XDR" b'$' [] "Transducer measurements", "IEC 61162-1 XDR" {
         ; each Open() XdrReading readings {
-            kind: text(2) "Type of the transducer: A angular displacement, C temperature, D linear displacement, P pressure and others.",
+            kind: code(TransducerType) "Type of the transducer.",
             reading: number(READING) "Its reading.",
-            unit: text(2) "Unit of the reading: D degrees, C Celsius, M metres, B bars and others.",
+            unit: code(TransducerUnit) "Unit of the reading; null for a switch and a generic one.",
             name: text(30) "Name of the transducer, such as HEEL.",
         }
     }

@@ -86,6 +86,14 @@ fn fields(random: &mut Random, kind: &Kind, out: &mut Vec<String>) {
         } else {
             letter(random.pick(letters))
         }),
+        Kind::Letters(letters, most) => {
+            if !null {
+                for _ in 0..1 + random.below(usize::from(*most)) {
+                    field.push(char::from(random.pick(letters)));
+                }
+            }
+            out.push(field);
+        }
         Kind::Text(limit) => {
             if !null {
                 // Each piece is one character of the text.

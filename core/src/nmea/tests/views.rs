@@ -133,15 +133,15 @@ fn awkward_forms_are_read() {
         Xdr {
             readings: alloc::vec![
                 XdrReading {
-                    kind: Some("A".into()),
+                    kind: Some(TransducerType::Angle),
                     reading: Some(-12.5),
-                    unit: Some("D".into()),
+                    unit: Some(TransducerUnit::Degree),
                     name: Some("HEEL".into())
                 },
                 XdrReading {
-                    kind: Some("C".into()),
+                    kind: Some(TransducerType::Temperature),
                     reading: None,
-                    unit: Some("C".into()),
+                    unit: Some(TransducerUnit::Celsius),
                     name: Some("AIR".into())
                 },
             ]
@@ -239,7 +239,7 @@ fn views_write_the_decimals_of_the_document() {
     );
     let xdr = Xdr {
         readings: alloc::vec![XdrReading {
-            kind: Some("A".into()),
+            kind: Some(TransducerType::Angle),
             name: Some("a,b".into()),
             ..Default::default()
         }],
