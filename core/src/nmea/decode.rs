@@ -290,7 +290,7 @@ impl<'a> Sentence<'a> {
                 .iter()
                 .any(|digit| (b'1'..=b'9').contains(digit))
             && alone
-            && self.fields.at(3).is_empty()
+            && (3..self.fields.len().max(4)).all(|at| self.fields.at(at).is_empty())
         {
             let last = 3.min(self.fields.len() - 1);
             faults.push(Fault::at(last, FaultKind::MissingPart));

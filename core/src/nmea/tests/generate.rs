@@ -187,8 +187,13 @@ pub(super) fn line(random: &mut Random, definition: &Definition) -> String {
             Repeat::Open => 1 + random.below(3),
         };
         for _ in 0..count {
+            let before = all.len();
             for kind in group.members {
                 fields(random, kind, &mut all);
+            }
+            // Satellites in view, and none that is named, is a fault.
+            if definition.formatter == "GSV" && all[before..].iter().all(String::is_empty) {
+                all[before] = "07".into();
             }
         }
         if random.below(2) == 0 {
