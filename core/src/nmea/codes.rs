@@ -54,6 +54,19 @@ macro_rules! codes {
 }
 pub(crate) use codes;
 
+/// Makes a list of codes of more than one character: word and meaning of each.
+macro_rules! words {
+    ($( $(#[$doc:meta])* $name:ident { $( $word:literal $meaning:literal ),+ $(,)? } )+) => {$(
+        $(#[$doc])*
+        pub(crate) enum $name {}
+        impl $name {
+            pub(crate) const WORDS: &'static [&'static str] = &[$($word),+];
+            pub(crate) const MEANINGS: &'static [&'static str] = &[$($meaning),+];
+        }
+    )+};
+}
+pub(crate) use words;
+
 codes! {
     /// Override of HTC and HTD (field 1).
     OverrideStatus { InUse = b'A' "in use", NotInUse = b'V' "not in use" }

@@ -7,10 +7,11 @@ use super::fault::{Fault, FaultKind};
 use super::known::{Known, Whole, identify, text_of};
 use super::read::{read, read_here};
 use super::scan::{Cursor, FieldList, LONGEST_BODY};
-use super::table::{Definition, Kind, Repeat};
+use super::table::{Definition, Kind};
 use super::tag::TagBlock;
 use super::value::{Value, hex_byte, hex_digits};
 use super::view::group_count;
+use super::whole;
 use alloc::vec::Vec;
 
 /// A decoded line: its parts, borrowed from it.
@@ -263,106 +264,7 @@ impl<'a> Sentence<'a> {
             faults.push(Fault::line(FaultKind::BadAddress));
         }
         if let Some(definition) = self.known {
-            count_fault(definition, &self.fields, faults);
-            self.empty_fault(definition, faults);
+            whole::faults(definition, &self.fields, faults);
         }
-    }
-
-    /// A sentence that alone should carry something carries nothing.
-    fn empty_fault(&self, definition: &Definition, faults: &mut Vec<Fault>) {
-        let empty = |at: usize| self.fields.len() > at && self.fields.at(at).is_empty();
-        // Of a message in several sentences the last part may be empty.
-        let alone = matches!(self.fields.at(0), b"1" | b"01");
-        let payload = definition
-            .members
-            .iter()
-            .position(|kind| matches!(kind, Kind::Payload));
-        if let Some(at) = payload
-            && alone
-            && empty(at)
-        {
-            faults.push(Fault::at(at, FaultKind::MissingPart));
-        }
-        if self.formatter == "GSV"
-            && self
-                .fields
-                .at(2)
-                .iter()
-                .any(|digit| (b'1'..=b'9').contains(digit))
-            && alone
-            && (3..self.fields.len().max(4)).all(|at| self.fields.at(at).is_empty())
-        {
-            let last = 3.min(self.fields.len() - 1);
-            faults.push(Fault::at(last, FaultKind::MissingPart));
-        }
-    }
-}
-
-/// Whether the number of fields is one of the editions'; one empty field too many is none (SEN-5).
-fn count_fault(definition: &Definition, fields: &FieldList<'_>, faults: &mut Vec<Fault>) {
-    let found = fields.len();
-    let (accepted, expected) = match &definition.group {
-        None => (
-            definition.lengths.iter().any(|&length| {
-                let length = usize::from(length);
-                length == found || (length + 1 == found && fields.at(length).is_empty())
-            }),
-            definition
-                .lengths
-                .iter()
-                .copied()
-                .max()
-                .map_or(definition.sent(), usize::from),
-        ),
-        Some(group) => {
-            let tail = definition.tail_width();
-            let fixed = definition.fixed_width();
-            let entries = group_count(definition, fields);
-            let mut expected = fixed + entries * group.width();
-            let whole = match group.repeat {
-                Repeat::Counted(at) => super::Decimal::parse(fields.at(usize::from(at)))
-                    .is_none_or(|count| {
-                        let said = count.value() as usize;
-                        if said != entries {
-                            expected = fixed + said.min(99) * group.width();
-                        }
-                        said == entries
-                    }),
-                Repeat::Open => found.saturating_sub(fixed).is_multiple_of(group.width()),
-                Repeat::UpTo(_) => true,
-            };
-            (
-                whole && (found == expected || found == expected + tail),
-                expected + tail,
-            )
-        }
-    };
-    if accepted {
-        return;
-    }
-    if found == expected + 1 && fields.at(found - 1).is_empty() {
-        return;
-    }
-    let said = found as u8;
-    if found > expected {
-        let kind = FaultKind::ExtraField {
-            found: said,
-            expected: expected as u8,
-        };
-        faults.push(Fault::at(expected, kind));
-    } else {
-        let expected = definition
-            .lengths
-            .first()
-            .map_or(expected as u8, |&length| length);
-        let kind = FaultKind::FieldCount {
-            found: said,
-            expected,
-        };
-        // Where a list ends inside an entry, the last field bears the fault.
-        faults.push(match (&definition.group, found) {
-            (None, _) | (_, 0) => Fault::line(kind),
-            (Some(_), _) => Fault::at(found - 1, kind),
-        });
     }
 }

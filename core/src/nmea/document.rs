@@ -88,6 +88,11 @@ fn rows(out: &mut String, members: &[Kind], texts: &[MemberText], at: &mut usize
                 let _ = write!(out, " `{}` {meaning};", char::from(*letter));
             }
         }
+        if let Kind::Words(list) = kind {
+            for (word, meaning) in list.iter().zip(words.meanings) {
+                let _ = write!(out, " `{word}` {meaning};");
+            }
+        }
         out.push_str(" |\n");
         *at = last + 1;
     }
@@ -130,6 +135,7 @@ fn contents(kind: &Kind) -> String {
         }
         Kind::Code(_) => "code".into(),
         Kind::Letters(_, most) => alloc::format!("codes, at most {most}"),
+        Kind::Words(_) => "code".into(),
         Kind::Text(limit) => alloc::format!("text, at most {limit}"),
         Kind::Position(decimals) => {
             alloc::format!("ddmm.mm, N/S, dddmm.mm, E/W, {decimals} decimals")

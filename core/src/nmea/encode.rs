@@ -103,7 +103,7 @@ impl<'o> Writer<'o> {
             Kind::Hex(digits) => self.hex(*digits, cell),
             Kind::Time | Kind::Date | Kind::Code(_) => self.plain(cell, 255),
             Kind::Text(limit) | Kind::Letters(_, limit) => self.plain(cell, *limit),
-            Kind::Payload | Kind::Any => self.plain(cell, 255),
+            Kind::Words(_) | Kind::Payload | Kind::Any => self.plain(cell, 255),
         }
     }
 

@@ -301,6 +301,13 @@ fn member<'a>(
             let (value, side) = letter(1);
             push(1, Part::Side, value, None, compass(side));
         }
+        Kind::Words(list) => {
+            let at = list
+                .iter()
+                .position(|word| item.value == Value::Text(word.as_bytes()));
+            let meaning = at.and_then(|at| words.meanings.get(at).copied());
+            push(0, Part::Whole, typed(item.value), None, meaning);
+        }
         Kind::Hex(_) => push(0, Part::Whole, integer(item.value), None, None),
         Kind::Time | Kind::Date | Kind::Text(_) | Kind::Letters(..) | Kind::Payload | Kind::Any => {
             push(0, Part::Whole, typed(item.value), None, None);

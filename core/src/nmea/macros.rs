@@ -22,6 +22,9 @@ macro_rules! kind {
     (letters($e:ident, $n:literal)) => {
         $crate::nmea::table::Kind::Letters($e::LETTERS, $n)
     };
+    (words($e:ident)) => {
+        $crate::nmea::table::Kind::Words($e::WORDS)
+    };
     (text($n:literal)) => {
         $crate::nmea::table::Kind::Text($n)
     };
@@ -64,6 +67,9 @@ macro_rules! meanings {
     (letters($e:ident, $n:literal)) => {
         $e::MEANINGS
     };
+    (words($e:ident)) => {
+        $e::MEANINGS
+    };
     ($k:ident $a:tt) => {
         &[]
     };
@@ -73,6 +79,7 @@ macro_rules! view_type {
     (integer $a:tt) => { Option<u32> };
     (hex $a:tt) => { Option<u32> };
     (code($e:ident)) => { Option<$e> };
+    (words $a:tt) => { Option<alloc::string::String> };
     (letters $a:tt) => { Option<alloc::string::String> };
     (text $a:tt) => { Option<alloc::string::String> };
     (payload $a:tt) => { Option<alloc::string::String> };
@@ -99,6 +106,7 @@ macro_rules! definition {
             members: &[$(kind!($k $a),)* $($(kind!($lk $la),)*)?],
             group: $crate::nmea::macros::group!($($repeat $ra { $(kind!($gk $ga),)* })?),
             tail: &[$($(kind!($tk $ta),)*)?],
+            numbered: const { $crate::nmea::table::numbered(&[$(stringify!($m)),*]) },
         };
         pub(crate) static TEXT: $crate::nmea::table::SentenceText = $crate::nmea::table::SentenceText {
             title: $title,

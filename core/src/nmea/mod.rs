@@ -64,6 +64,7 @@ mod tag;
 mod value;
 mod values;
 mod view;
+mod whole;
 
 #[cfg(test)]
 mod tests;

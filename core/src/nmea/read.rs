@@ -64,6 +64,7 @@ pub(crate) fn read_here<'a>(
         Kind::Letters(letters, most) => {
             checked(field, n, faults, |text| wrong_letters(text, letters, *most))
         }
+        Kind::Words(words) => checked(field, n, faults, |text| unknown_word(text, words)),
         Kind::Text(limit) => checked(field, n, faults, |text| wrong_text(text, *limit)),
         Kind::Angle { degrees, .. } => single_angle(field, fields.part(), *degrees, n, faults),
         Kind::Hex(_) if field.is_empty() => Value::Null,
@@ -250,6 +251,13 @@ fn wrong_text(field: &[u8], limit: u8) -> Option<FaultKind> {
         }
     }
     (length > usize::from(limit)).then_some(FaultKind::TooMuchText(limit))
+}
+
+/// Whether a code of several characters is none of the field's.
+#[inline(never)]
+fn unknown_word(field: &[u8], words: &[&str]) -> Option<FaultKind> {
+    let known = words.iter().any(|word| word.as_bytes() == field);
+    (!known).then_some(FaultKind::UnknownCode)
 }
 
 /// What is wrong with letters that each have a meaning.

@@ -12,6 +12,8 @@ pub struct Definition {
     pub(crate) members: &'static [Kind],
     pub(crate) group: Option<Group>,
     pub(crate) tail: &'static [Kind],
+    /// Whether it begins with the number of sentences of its message and its own among them.
+    pub(crate) numbered: bool,
 }
 
 /// Members that stand several times.
@@ -171,6 +173,8 @@ pub enum Kind {
     Code(&'static [u8]),
     /// At most so many letters, each with a meaning.
     Letters(&'static [u8], u8),
+    /// One of these words.
+    Words(&'static [&'static str]),
     /// Text of at most so many characters.
     Text(u8),
     /// Latitude, N/S, longitude, E/W.
@@ -215,6 +219,21 @@ const fn width_of(members: &[Kind]) -> usize {
         i += 1;
     }
     sum
+}
+
+/// Whether the first two members are called `total` and `number`.
+pub(crate) const fn numbered(names: &[&str]) -> bool {
+    const fn same(a: &str, b: &str) -> bool {
+        let (a, b) = (a.as_bytes(), b.as_bytes());
+        let mut same = a.len() == b.len();
+        let mut i = 0;
+        while same && i < a.len() {
+            same = a[i] == b[i];
+            i += 1;
+        }
+        same
+    }
+    names.len() > 1 && same(names[0], "total") && same(names[1], "number")
 }
 
 impl Group {

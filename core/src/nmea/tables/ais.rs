@@ -12,6 +12,43 @@ codes! {
         PowerOff = b'1' "power off", Silent = b'2' "silent mode", Management = b'3' "switched off by channel management",
         Malfunction = b'4' "equipment malfunction", Configuration = b'5' "invalid configuration",
     }
+    /// Channel for a broadcast.
+    BroadcastChannel { Any = b'0' "no preference", A = b'1' "channel A", B = b'2' "channel B", Both = b'3' "both channels" }
+    /// What became of a message that was to be sent.
+    BroadcastResult {
+        Received = b'0' "message 6 or 12 received by the addressed station", NoAnswer = b'1' "message 6 or 12 sent, not acknowledged",
+        Failed = b'2' "could not be sent", Completed = b'3' "message 8, 14 or 15 sent", Late = b'4' "acknowledgement 7 or 13 received late",
+        Read = b'5' "read and acknowledged on a display",
+    }
+    /// Bandwidth of a channel.
+    Bandwidth { ByNumber = b'0' "as the channel number says", Narrow = b'1' "12.5 kHz" }
+    /// On which channels an AIS station sends and receives.
+    AisChannelMode {
+        Both = b'0' "transmits on A and B, receives on A and B", A = b'1' "transmits on A, receives on A and B",
+        B = b'2' "transmits on B, receives on A and B", Silent = b'3' "does not transmit, receives on A and B",
+        SilentA = b'4' "does not transmit, receives on A", SilentB = b'5' "does not transmit, receives on B",
+    }
+    /// Power of a transmitter.
+    AisPower { High = b'0' "high", Low = b'1' "low" }
+    /// Where a channel assignment comes from.
+    AssignmentSource {
+        Addressed = b'A' "message 22, addressed", Broadcast = b'B' "message 22, for an area", Sentence = b'C' "an ACA sentence",
+        Telecommand = b'D' "a DSC telecommand on channel 70", Manual = b'M' "manual input",
+    }
+    /// Whether an assignment is in use.
+    AssignmentUse { Unused = b'0' "not in use", Used = b'1' "in use" }
+    /// Whether keyboard and display are there.
+    DataTerminal { Available = b'0' "keyboard and display are available", NotAvailable = b'1' "not available" }
+    /// When an AIS station answers.
+    ReplyLogic { Normal = b'0' "where addressed, or in the area and not asked within 24 h", Geographic = b'1' "wherever within the area" }
+    /// What is asked of a ship far away.
+    LongRangeFunction {
+        Identity = b'A' "name, call sign and IMO number", Time = b'B' "date and time", Position = b'C' "position", Course = b'E' "course over ground",
+        Speed = b'F' "speed over ground", Destination = b'I' "destination and arrival", Draught = b'O' "draught", Cargo = b'P' "ship and cargo",
+        Dimensions = b'U' "length, breadth and type", Persons = b'W' "persons on board",
+    }
+    /// What is answered to it.
+    LongRangeStatus { Given = b'2' "given", NotAvailable = b'3' "not available", Withheld = b'4' "withheld by the master" }
     /// AIS channel.
     AisChannel {
         A = b'A' "channel A (87B)", B = b'B' "channel B (88B)", One = b'1' "channel A, by its number", Two = b'2' "channel B, by its number",
@@ -47,7 +84,7 @@ sentences! {
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 3, 1)) "Identifier of the message.",
         mmsi: integer(MMSI) "Station that is addressed.",
-        channel: integer(whole(0, 3, 1)) "Channel for the broadcast.",
+        channel: code(BroadcastChannel) "Channel for the broadcast.",
         message: number(COUNT) "Number of the radio message, 6 or 12.",
         payload: payload() "Encapsulated data.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
@@ -56,7 +93,7 @@ sentences! {
         total: integer(whole(1, 9, 1)) "Number of sentences of this message.",
         number: integer(whole(1, 9, 1)) "Number of this sentence.",
         sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
-        channel: integer(whole(0, 3, 1)) "Channel for the broadcast.",
+        channel: code(BroadcastChannel) "Channel for the broadcast.",
         message: number(COUNT) "Number of the radio message, 8 or 14.",
         payload: payload() "Encapsulated data.",
         fill_bits: integer(whole(0, 5, 1)) "Bits of the last character that do not count.",
@@ -79,7 +116,7 @@ sentences! {
         stern: integer(metres(511, 3)) "To the stern.",
         port: integer(metres(63, 2)) "To port.",
         starboard: integer(metres(63, 2)) "To starboard.",
-        dte: integer(whole(0, 1, 1)) "0: keyboard and display are there.",
+        dte: code(DataTerminal) "Data terminal equipment.",
         source: text(2) "Source of the data.",
     }
     abk = "ABK" b'$' [5] "AIS addressed and binary broadcast acknowledgement", "IEC 61162-1 ABK" {
@@ -87,7 +124,7 @@ sentences! {
         channel: code(AisChannel) "Channel of the reception.",
         message: number(COUNT) "Number of the radio message.",
         sequence: integer(whole(0, 9, 1)) "Identifier of the message.",
-        kind: integer(whole(0, 9, 1)) "Type of the acknowledgement.",
+        kind: code(BroadcastResult) "Type of the acknowledgement.",
     }
     acs = "ACS" b'$' [6] "AIS channel management information source", "IEC 61162-1 ACS" {
         sequence: integer(whole(0, 9, 1)) "Identifier.",
@@ -103,13 +140,13 @@ sentences! {
         south_west: position(2) "South-west corner of the region.",
         transition: integer(TRANSITION) "Transition zone.",
         channel_a: integer(whole(0, 9999, 4)) "Channel A.",
-        bandwidth_a: integer(whole(0, 1, 1)) "Its bandwidth.",
+        bandwidth_a: code(Bandwidth) "Its bandwidth.",
         channel_b: integer(whole(0, 9999, 4)) "Channel B.",
-        bandwidth_b: integer(whole(0, 1, 1)) "Its bandwidth.",
-        mode: integer(whole(0, 9, 1)) "Transmit and receive mode.",
-        power: integer(whole(0, 1, 1)) "Power level.",
-        source: text(1) "Source of the information.",
-        in_use: integer(whole(0, 1, 1)) "In use.",
+        bandwidth_b: code(Bandwidth) "Its bandwidth.",
+        mode: code(AisChannelMode) "Transmit and receive mode.",
+        power: code(AisPower) "Power level.",
+        source: code(AssignmentSource) "Source of the information.",
+        in_use: code(AssignmentUse) "In use.",
         changed: time() "When that changed.",
     }
     air = "AIR" b'$' [8, 12] "AIS interrogation request", "IEC 61162-1 AIR" {
@@ -121,7 +158,7 @@ sentences! {
         mmsi_2: integer(MMSI) "Second station.",
         message_3: number(COUNT) "Message asked of it.",
         section_3: integer(whole(0, 99, 1)) "Its sub-section.",
-        channel: text(1) "Channel, since the edition of 2018.",
+        channel: code(AisChannel) "Channel, since the edition of 2018.",
         identifier_1: text(10) "First message identifier, since the edition of 2018.",
         identifier_2: text(10) "Second message identifier, since the edition of 2018.",
         identifier_3: text(10) "Third message identifier, since the edition of 2018.",
@@ -160,12 +197,12 @@ sentences! {
         sequence: integer(whole(0, 9, 1)) "Identifier.",
         mmsi: integer(MMSI) "Who asks.",
         name: text(20) "Name of who asks.",
-        functions: text(26) "Functions that are asked for.",
-        status: text(26) "What is answered.",
+        functions: letters(LongRangeFunction, 26) "Functions that are asked for.",
+        status: letters(LongRangeStatus, 26) "What is answered.",
     }
     lri = "LRI" b'$' [12] "AIS long-range interrogation", "IEC 61162-1 LRI" {
         sequence: integer(whole(0, 9, 1)) "Identifier.",
-        control: integer(whole(0, 1, 1)) "Control flag.",
+        control: code(ReplyLogic) "When an answer is given.",
         requestor: integer(MMSI) "Who asks.",
         destination: integer(MMSI) "Who is asked.",
         north_east: position(2) "North-east corner of the area.",

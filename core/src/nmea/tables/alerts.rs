@@ -21,6 +21,16 @@ codes! {
     EquipmentStatus { Normal = b'A' "normal", Failed = b'V' "system fail" }
 }
 
+words! {
+    /// Systems that may raise an alarm.
+    AlarmSystem {
+        "SG" "steering gear", "PC" "propulsion control", "AM" "auxiliary machinery", "DE" "diesel plant", "ST" "steam turbine plant",
+        "GT" "gas turbine plant", "EP" "electric plant", "PB" "propulsion boiler", "AB" "auxiliary boiler", "AD" "auxiliary diesel",
+        "AT" "auxiliary turbine", "AG" "auxiliary gas turbine", "CG" "cargo control plant", "WD" "watertight door controller",
+        "HD" "hull door controller", "FD" "fire door controller", "FR" "fire detection", "OT" "other systems",
+    }
+}
+
 sentences! {
     alr as Alr = "ALR" b'$' [5] "Set alarm state", "IEC 61162-1 ALR; Navis A.7" {
         time: time() "UTC of the change; null from this autopilot.",
@@ -34,7 +44,7 @@ sentences! {
     }
     ala as Ala = "ALA" b'$' [8] "Report detailed alarm condition", "IEC 61162-1 ALA; Navis A.8" {
         time: time() "Event time; null from this autopilot.",
-        system: text(2) "System of the alarm source; always OT, other systems.",
+        system: words(AlarmSystem) "System of the alarm source; always OT, other systems.",
         subsystem: text(2) "Subsystem of the alarm source; always JP, joystick and autopilot.",
         instance: integer(whole(0, 99, 2)) "00 standby, 01 autopilot, 02 joystick (never sent), 03 installation menu.",
         number: integer(whole(0, 999, 3)) "Number of the alarm.",
@@ -114,7 +124,7 @@ sentences! {
     }
     akd = "AKD" b'$' [8] "Acknowledge detail alarm condition", "IEC 61162-1 AKD, as SwiftNMEA reads it" {
         time: time() "Time of the acknowledgement.",
-        system: text(2) "System of the alarm source.",
+        system: words(AlarmSystem) "System of the alarm source.",
         subsystem: text(2) "Subsystem of the alarm source.",
         instance: integer(whole(0, 99, 2)) "Instance of the alarm source.",
         number: integer(whole(0, 999, 3)) "Number of the alarm.",

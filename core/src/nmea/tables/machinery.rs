@@ -42,8 +42,32 @@ codes! {
     DoorState { Open = b'O' "open", Closed = b'C' "closed", Secured = b'S' "secured", Free = b'F' "free", Fault = b'X' "fault" }
     /// Setting of the watertight doors of a ship.
     DoorMode { Harbour = b'O' "harbour mode, may be open", Sea = b'C' "sea mode, ordered closed" }
-    /// Condition of a detector.
-    DetectorCondition { Activated = b'A' "activation", Fault = b'F' "fault", Disabled = b'D' "disabled", Normal = b'N' "normal", High = b'H' "high level", Low = b'J' "low level", Extreme = b'L' "extreme level", Unknown = b'V' "not valid", Other = b'X' "other" }
+    /// Kind of a message of a fire detection system.
+    FireMessage { Status = b'S' "status of a section", Event = b'E' "status of a detector", Fault = b'F' "fault of the system", Disabled = b'D' "detector is disabled" }
+    /// Condition of a fire detector.
+    FireCondition { Activated = b'A' "activation", NotActivated = b'V' "no activation", Fault = b'X' "fault, state unknown" }
+    /// Condition of a water level.
+    WaterCondition {
+        Normal = b'N' "normal", High = b'H' "high", ExtremeHigh = b'J' "extremely high", Low = b'L' "low", ExtremeLow = b'K' "extremely low",
+        Fault = b'X' "fault, state unknown",
+    }
+    /// Override of a water level alarm.
+    WaterOverride { Active = b'O' "override active, water is allowed there", NotActive = b'N' "override not active" }
+}
+
+words! {
+    DoorSystem { "WT" "watertight door", "WS" "semi-watertight door", "FD" "fire door", "HD" "hull door", "OT" "other" }
+    FireSystem {
+        "FD" "fire detector of any kind", "FH" "heat detector", "FS" "smoke detector", "FM" "manual call point", "GD" "gas detector", "GO" "oxygen detector",
+        "GS" "hydrogen sulphide detector", "GH" "hydrocarbon detector", "SF" "sprinkler flow switch", "SV" "sprinkler valve, released by hand",
+        "CO" "carbon dioxide, released by hand", "OT" "other",
+    }
+    WaterSystem { "WL" "water level detection", "BI" "high level by the bilge system", "HD" "leakage at a hull door", "OT" "other" }
+    TelegraphPosition {
+        "00" "stop", "01" "dead slow ahead", "02" "slow ahead", "03" "half ahead", "04" "full ahead", "05" "navigation full ahead",
+        "11" "dead slow astern", "12" "slow astern", "13" "half astern", "14" "full astern", "15" "crash astern",
+    }
+    SubTelegraphPosition { "20" "stand by engine", "30" "full away", "40" "finished with engine" }
 }
 
 const ROTATION: Format = Format::new(Unit::RevolutionsPerMinute, -99_999, 99_999, 1, 1);
@@ -87,8 +111,8 @@ sentences! {
     etl = "ETL" b'$' [6] "Engine telegraph operation status", "IEC 61162-1 ETL" {
         time: time() "Event time.",
         message: code(TelegraphMessage) "Order or answer.",
-        position: integer(whole(0, 99, 2)) "Position of the engine telegraph.",
-        sub_position: integer(whole(0, 99, 2)) "Position of the sub telegraph.",
+        position: words(TelegraphPosition) "Position of the engine telegraph.",
+        sub_position: words(SubTelegraphPosition) "Position of the sub telegraph.",
         location: code(CommandSource) "Where it is operated.",
         number: integer(whole(0, 99, 1)) "Engine or shaft.",
     }
@@ -101,7 +125,7 @@ sentences! {
     dor = "DOR" b'$' [9] "Door status detection", "IEC 61162-1 DOR" {
         message: code(StatusMessage) "Kind of the message.",
         time: time() "Event time.",
-        system: text(2) "Type of the door system.",
+        system: words(DoorSystem) "Type of the door system.",
         division_1: text(3) "First division.",
         division_2: text(3) "Second division.",
         number: integer(whole(0, 999, 3)) "Door, or count of open or faulty doors.",
@@ -110,25 +134,25 @@ sentences! {
         text: text(40) "Description.",
     }
     fir = "FIR" b'$' [9] "Fire detection", "IEC 61162-1 FIR" {
-        message: code(StatusMessage) "Kind of the message.",
+        message: code(FireMessage) "Kind of the message.",
         time: time() "Event time.",
-        system: text(2) "Type of the detection system.",
+        system: words(FireSystem) "Type of the detection system.",
         division_1: text(3) "First division.",
         division_2: text(3) "Second division.",
         number: integer(whole(0, 999, 3)) "Detector, or count.",
-        condition: code(DetectorCondition) "Condition.",
+        condition: code(FireCondition) "Condition.",
         acknowledged: code(AcknowledgeState) "Acknowledge state.",
         text: text(40) "Description.",
     }
     wat = "WAT" b'$' [9] "Water level detection", "IEC 61162-1 WAT" {
         message: code(StatusMessage) "Kind of the message.",
         time: time() "Event time.",
-        system: text(2) "Type of the detection system.",
+        system: words(WaterSystem) "Type of the detection system.",
         division_1: text(3) "First location.",
         division_2: text(3) "Second location.",
         number: integer(whole(0, 999, 3)) "Detection point, or count.",
-        condition: code(DetectorCondition) "Condition.",
-        override_setting: text(1) "Override setting.",
+        condition: code(WaterCondition) "Condition.",
+        override_setting: code(WaterOverride) "Override setting.",
         text: text(40) "Description.",
     }
     hss = "HSS" b'$' [3] "Hull stress surveillance systems", "IEC 61162-1 HSS" {

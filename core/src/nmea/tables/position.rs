@@ -32,6 +32,10 @@ codes! {
     ResidualMode { Used = b'0' "used for the position of the matching line", After = b'1' "calculated after the position" }
 }
 
+words! {
+    ReferenceDatum { "W84" "WGS 84", "W72" "WGS 72", "S85" "SGS 85", "P90" "PE 90" }
+}
+
 impl FixQuality {
     /// Whether the position may be used (AP-9).
     #[must_use]
@@ -151,7 +155,7 @@ sentences! {
         latitude_offset: sided(ARC_MINUTES, NS) "Offset of the latitude, north positive.",
         longitude_offset: sided(ARC_MINUTES, EW) "Offset of the longitude, east positive.",
         altitude_offset: number(METRES) "Offset of the altitude.",
-        reference: text(3) "Reference datum.",
+        reference: words(ReferenceDatum) "Reference datum.",
     }
     rma = "RMA" b'$' [11] "Recommended minimum specific LORAN-C data", "IEC 61162-1 RMA" {
         status: code(DataStatus) "Status.",

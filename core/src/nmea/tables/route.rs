@@ -27,6 +27,13 @@ codes! {
     PointKind { Collision = b'C' "collision", Turning = b'T' "turning point", Reference = b'R' "reference", Wheelover = b'W' "wheel-over" }
 }
 
+words! {
+    /// What a selection is of.
+    SelectedData {
+        "POS" "position", "SOG" "speed and course over ground", "STW" "speed through water", "DEP" "depth below keel", "HEA" "heading", "TIM" "time",
+    }
+}
+
 const KILOMETRES: Format = Format::new(Unit::Kilometres, 0, i32::MAX, 1, 3);
 
 sentences! {
@@ -149,7 +156,7 @@ sentences! {
     }
     sel = "SEL" b'$' [] "Selection report", "IEC 61162-1 SEL, as SwiftNMEA reads it" {
         ; each Open() SelSelection selections {
-            kind: text(3) "Kind of data, such as POS, HEA, SOG and TIM.",
+            kind: words(SelectedData) "Kind of data.",
             source: text(6) "System function identifier of the sensor in use; null: who sends.",
         }
     }

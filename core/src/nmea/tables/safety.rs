@@ -11,6 +11,20 @@ codes! {
     MaskFunction { Request = b'0' "messages are asked for", Storage = b'1' "storage", Printer = b'2' "printer", Ins = b'3' "integrated navigation system" }
     /// Frequency of a NAVTEX receiver.
     NavtexFrequency { Local = b'1' "490 kHz", International = b'2' "518 kHz", Tropical = b'3' "4209.5 kHz" }
+    /// Ocean region of the satellite.
+    OceanRegion {
+        AtlanticWest = b'0' "Atlantic, west", AtlanticEast = b'1' "Atlantic, east", Pacific = b'2' "Pacific", Indian = b'3' "Indian", All = b'9' "all",
+    }
+    /// Priority of a message.
+    MessagePriority { Routine = b'0' "routine", Safety = b'1' "safety", Urgency = b'2' "urgency", Distress = b'3' "distress" }
+    /// Subject of a coastal warning.
+    WarningSubject {
+        Navigation = b'A' "navigational warning", Weather = b'B' "meteorological warning", Ice = b'C' "ice report",
+        Rescue = b'D' "search and rescue, piracy", Forecast = b'E' "meteorological forecast", Pilot = b'F' "pilot service", Ais = b'G' "AIS",
+        Loran = b'H' "LORAN", Spare = b'I' "spare", Satellite = b'J' "satellite navigation", OtherAids = b'K' "other navigational aids",
+        Additional = b'L' "additional navigational warning", SpecialV = b'V' "special service", SpecialW = b'W' "special service",
+        SpecialX = b'X' "special service", SpecialY = b'Y' "special service", Nothing = b'Z' "no message",
+    }
     /// State of a distress.
     DistressStatus { Active = b'D' "distress", Cancelled = b'C' "cancelled" }
 }
@@ -45,8 +59,8 @@ sentences! {
         message: integer(whole(0, 999_999, 1)) "Number of the message, which its SMB repeats.",
         sequence: integer(whole(0, 999_999, 1)) "Sequence number of the land earth station.",
         station: integer(whole(0, 999, 3)) "Land earth station.",
-        region: integer(whole(0, 9, 1)) "Ocean region.",
-        priority: integer(whole(0, 9, 1)) "Priority.",
+        region: code(OceanRegion) "Ocean region.",
+        priority: code(MessagePriority) "Priority.",
         service: integer(whole(0, 99, 1)) "Service code.",
         presentation: integer(whole(0, 99, 1)) "Presentation code; 0: International Alphabet 5.",
         year: integer(whole(0, 9999, 4)) "UTC of the reception: year.",
@@ -61,8 +75,8 @@ sentences! {
         message: integer(whole(0, 999_999, 1)) "Number of the message, which its SMB repeats.",
         sequence: integer(whole(0, 999_999, 1)) "Sequence number of the land earth station.",
         station: integer(whole(0, 999, 3)) "Land earth station.",
-        region: integer(whole(0, 9, 1)) "Ocean region.",
-        priority: integer(whole(0, 9, 1)) "Priority.",
+        region: code(OceanRegion) "Ocean region.",
+        priority: code(MessagePriority) "Priority.",
         service: integer(whole(0, 99, 1)) "Service code.",
         presentation: integer(whole(0, 99, 1)) "Presentation code; 0: International Alphabet 5.",
         year: integer(whole(0, 9999, 4)) "UTC of the reception: year.",
@@ -72,15 +86,15 @@ sentences! {
         minute: integer(whole(0, 59, 1)) "Minute.",
         area: integer(whole(1, 21, 1)) "NAVAREA.",
         coast: text(1) "Letter of the coastal warning area.",
-        subject: text(1) "Letter of the subject.",
+        subject: code(WarningSubject) "Subject.",
     }
     sm3 = "SM3" b'$' [18] "SafetyNET message, circular area address", "IEC 61162-1 SM3, as SwiftNMEA reads it" {
         status: code(DataStatus) "A: the message is complete.",
         message: integer(whole(0, 999_999, 1)) "Number of the message, which its SMB repeats.",
         sequence: integer(whole(0, 999_999, 1)) "Sequence number of the land earth station.",
         station: integer(whole(0, 999, 3)) "Land earth station.",
-        region: integer(whole(0, 9, 1)) "Ocean region.",
-        priority: integer(whole(0, 9, 1)) "Priority.",
+        region: code(OceanRegion) "Ocean region.",
+        priority: code(MessagePriority) "Priority.",
         service: integer(whole(0, 99, 1)) "Service code.",
         presentation: integer(whole(0, 99, 1)) "Presentation code; 0: International Alphabet 5.",
         year: integer(whole(0, 9999, 4)) "UTC of the reception: year.",
@@ -96,8 +110,8 @@ sentences! {
         message: integer(whole(0, 999_999, 1)) "Number of the message, which its SMB repeats.",
         sequence: integer(whole(0, 999_999, 1)) "Sequence number of the land earth station.",
         station: integer(whole(0, 999, 3)) "Land earth station.",
-        region: integer(whole(0, 9, 1)) "Ocean region.",
-        priority: integer(whole(0, 9, 1)) "Priority.",
+        region: code(OceanRegion) "Ocean region.",
+        priority: code(MessagePriority) "Priority.",
         service: integer(whole(0, 99, 1)) "Service code.",
         presentation: integer(whole(0, 99, 1)) "Presentation code; 0: International Alphabet 5.",
         year: integer(whole(0, 9999, 4)) "UTC of the reception: year.",

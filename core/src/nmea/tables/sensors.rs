@@ -20,12 +20,12 @@ codes! {
         Angle = b'A' "angular displacement", AbsoluteHumidity = b'B' "absolute humidity", Temperature = b'C' "temperature",
         Displacement = b'D' "linear displacement", Level = b'E' "fluid level", Frequency = b'F' "frequency", Generic = b'G' "generic",
         Humidity = b'H' "humidity", Current = b'I' "current", Salinity = b'L' "salinity", Force = b'N' "force", Pressure = b'P' "pressure",
-        Flow = b'R' "flow rate", Switch = b'S' "switch or valve", Tachometer = b'T' "tachometer", Voltage = b'U' "voltage", Volume = b'V' "volume",
+        Flow = b'R' "flow rate", Switch = b'S' "switch or valve", Tachometer = b'T' "tachometer", Voltage = b'U' "voltage", Volume = b'V' "volume", DewPoint = b'W' "dew point",
     }
     /// Unit of a transducer's reading; some letters have a meaning for each type.
     TransducerUnit {
-        Ampere = b'A' "amperes", Bar = b'B' "bars", Celsius = b'C' "degrees Celsius", Degree = b'D' "degrees", Hertz = b'H' "hertz",
-        Density = b'K' "kilograms per cubic metre", Litres = b'l' "litres a second", LitresAlso = b'L' "litres a second, as some write it",
+        Ampere = b'A' "amperes", Bar = b'B' "bars; of a switch: 1 on or closed, 0 off or open", Celsius = b'C' "degrees Celsius", Degree = b'D' "degrees", Hertz = b'H' "hertz",
+        Density = b'K' "kilograms per cubic metre", Litres = b'l' "litres a second", LitresAlso = b'L' "litres or litres a second, as some write it",
         Metre = b'M' "metres or cubic metres", Newton = b'N' "newtons", Pascal = b'P' "pascals or per cent", Revolutions = b'R' "revolutions a minute",
         PartsPerThousand = b'S' "parts per thousand", Volt = b'V' "volts",
     }

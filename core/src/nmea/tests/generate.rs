@@ -2,6 +2,7 @@
 
 use crate::nmea::decimal::Decimal;
 use crate::nmea::table::{Definition, Format, Kind, Repeat};
+use crate::nmea::whole::key;
 use crate::nmea::with_checksum;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -91,6 +92,12 @@ fn fields(random: &mut Random, kind: &Kind, out: &mut Vec<String>) {
                 for _ in 0..1 + random.below(usize::from(*most)) {
                     field.push(char::from(random.pick(letters)));
                 }
+            }
+            out.push(field);
+        }
+        Kind::Words(words) => {
+            if !null {
+                field = random.pick(words).into();
             }
             out.push(field);
         }
@@ -187,13 +194,8 @@ pub(super) fn line(random: &mut Random, definition: &Definition) -> String {
             Repeat::Open => 1 + random.below(3),
         };
         for _ in 0..count {
-            let before = all.len();
             for kind in group.members {
                 fields(random, kind, &mut all);
-            }
-            // Satellites in view, and none that is named, is a fault.
-            if definition.formatter == "GSV" && all[before..].iter().all(String::is_empty) {
-                all[before] = "07".into();
             }
         }
         if random.below(2) == 0 {
@@ -205,6 +207,58 @@ pub(super) fn line(random: &mut Random, definition: &Definition) -> String {
         let length = usize::from(random.pick(definition.lengths));
         all.truncate(length - definition.first());
     }
+    whole(definition, &mut all);
+    written(definition, &all)
+}
+
+/// What stands in a member that is not null, the same each time.
+pub(super) fn sample(kind: &Kind) -> String {
+    match kind {
+        Kind::Code(letters) | Kind::Letters(letters, _) => char::from(letters[0]).into(),
+        Kind::Words(words) => words[0].into(),
+        Kind::Text(_) => "A".into(),
+        _ => "1".into(),
+    }
+}
+
+/// Makes of random fields those of a whole sentence: a number that its message has, and entries that say something.
+fn whole(definition: &Definition, all: &mut [String]) {
+    if definition.numbered && all.len() > 1 {
+        let count = |field: &str| usize::from_str_radix(field, 16).unwrap_or(0);
+        if all[0].chars().all(|c| c == '0') {
+            all[1].clear();
+        } else if count(&all[1]) > count(&all[0]) {
+            all.swap(0, 1);
+        }
+    }
+    let Some(group) = &definition.group else {
+        return;
+    };
+    let begin = definition.fixed_width() - definition.first();
+    let key = key(definition.formatter);
+    let mut nothing = true;
+    for entry in all
+        .get_mut(begin..)
+        .unwrap_or_default()
+        .chunks_mut(group.width())
+    {
+        let told = entry.iter().any(|field| !field.is_empty());
+        let counted = matches!(group.repeat, Repeat::Counted(_));
+        if let Some(key) = key.filter(|_| told || counted)
+            && entry.get(key).is_some_and(String::is_empty)
+        {
+            entry[key] = sample(&group.members[key]);
+        }
+        nothing &= !told;
+    }
+    if nothing && !matches!(group.repeat, Repeat::Counted(_)) && all.len() > begin {
+        let key = key.unwrap_or(0);
+        all[begin + key] = sample(&group.members[key]);
+    }
+}
+
+/// The line with these fields.
+pub(super) fn written(definition: &Definition, all: &[String]) -> String {
     let talker = if definition.first() == 1 || definition.formatter == "Q" {
         ""
     } else {
@@ -217,7 +271,7 @@ pub(super) fn line(random: &mut Random, definition: &Definition) -> String {
     };
     let start = char::from(definition.delimiter);
     let mut body = alloc::format!("{start}{talker}{formatter}");
-    for field in &all {
+    for field in all {
         body.push(',');
         body.push_str(field);
     }

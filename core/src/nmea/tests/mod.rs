@@ -1,6 +1,7 @@
 //! Tests over the whole dictionary.
 
 mod bounded;
+mod codes;
 mod framing;
 mod generate;
 mod hostile;
