@@ -3,8 +3,9 @@
 
 use std::hint::black_box;
 use std::time::Instant;
-use wheelover_core::autopilot::steering::{Demand, Measured, Path, Steering, SteeringSettings};
+use wheelover_core::autopilot::steering::{Demand, Measured, Steering, SteeringSettings};
 use wheelover_core::geo::Point;
+use wheelover_core::path::Path;
 use wheelover_core::station::Input;
 use wheelover_core::time::Stamp;
 use wheelover_core::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, Speed};

@@ -14,6 +14,7 @@ pub mod conformance;
 pub mod facts;
 pub mod geo;
 pub mod nmea;
+pub mod path;
 pub mod picture;
 pub mod recording;
 pub mod route;

@@ -1,10 +1,9 @@
 //! A ship of first order, given by her constants alone or by nothing: legs and arcs stay near, and nothing swings (AP-20).
 #![allow(clippy::unwrap_used)]
 
-use wheelover_core::autopilot::steering::{
-    Demand, Measured, Path, Steering, SteeringSettings, TurnBy,
-};
+use wheelover_core::autopilot::steering::{Demand, Measured, Steering, SteeringSettings, TurnBy};
 use wheelover_core::geo::Point;
+use wheelover_core::path::Path;
 use wheelover_core::settings::Settings;
 use wheelover_core::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, Speed};
 

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used)]
 
 use wheelover_core::autopilot::steering::{
-    Demand, Measured, Path, Steered, Steering, SteeringSettings, TurnBy,
+    Demand, Measured, Steered, Steering, SteeringSettings, TurnBy,
 };
 use wheelover_core::geo::Point;
+use wheelover_core::path::Path;
 use wheelover_core::scenario::{BenchRun, Disturbance, Document};
 use wheelover_core::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, Speed};
 use wheelover_core::world::{Drive, Hull};

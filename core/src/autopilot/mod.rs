@@ -18,6 +18,7 @@ pub mod steering;
 use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
+use crate::path::Part;
 use crate::settings::{Settings, SteeringBy};
 use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station};
 use crate::time::Stamp;
@@ -235,7 +236,7 @@ impl Autopilot {
                     let before_arc = self
                         .position_guard
                         .long_dead_reckoning(now)
-                        .is_some_and(|point| path.progress(point).part == steering::Part::LegIn);
+                        .is_some_and(|point| path.progress(point).part == Part::LegIn);
                     if before_arc {
                         let set = path.course_in.as_heading();
                         return Some(Demand::Heading {
@@ -281,9 +282,7 @@ impl Autopilot {
 
     fn ship(&self, now: Stamp) -> Ship {
         let before_arc = match (&self.mode, self.position_guard.long_dead_reckoning(now)) {
-            (Mode::AutonavTi { path, .. }, Some(point)) => {
-                path.progress(point).part == steering::Part::LegIn
-            }
+            (Mode::AutonavTi { path, .. }, Some(point)) => path.progress(point).part == Part::LegIn,
             _ => false,
         };
         Ship {

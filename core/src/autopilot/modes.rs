@@ -1,6 +1,7 @@
 //! Modes of the autopilot and every transition between them (AP-6, TCS-8 to TCS-10, HTC-1, FA7).
 
-use super::steering::{Path, TurnBy};
+use super::steering::TurnBy;
+use crate::path::Path;
 use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle};
 use alloc::string::String;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,5 @@
 //! What the autopilot says: HTD, RSA, ROR and HDT each second, ALR on change, orders to the gear.
 
-use super::steering::Part;
 use super::{Autopilot, Mode};
 use crate::alerts::{Alert, State};
 use crate::limits::Quantity;
@@ -8,6 +7,7 @@ use crate::nmea::{
     AcknowledgeState, AlarmCondition, Alr, CommandSource, DataStatus, Hdt, Htd, LimitStatus,
     OverrideStatus, Reference, Ror, Rsa, SteeringMode, TurnMode,
 };
+use crate::path::Part;
 use crate::settings::SteeringBy;
 use crate::station::{Output, Profile};
 use crate::time::Stamp;

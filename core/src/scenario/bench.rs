@@ -2,8 +2,9 @@
 
 use super::document::{Bench, Conditions, Disturbance};
 use super::metrics::{Meter, Report};
-use crate::autopilot::steering::{Demand, Measured, Path, Steering, SteeringSettings};
+use crate::autopilot::steering::{Demand, Measured, Steering, SteeringSettings};
 use crate::geo::Point;
+use crate::path::Path;
 use crate::units::{
     Course, Heading, METRES_PER_NAUTICAL_MILE, METRES_PER_SECOND_PER_KNOT, RateOfTurn, RudderAngle,
     Speed,

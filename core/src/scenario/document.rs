@@ -1,9 +1,9 @@
 //! The scenario files: the bench with its noise series, or one open-loop manoeuvre.
 
 use super::manoeuvre::Plan;
-use crate::autopilot::steering::Path;
 use crate::command::Refusal;
 use crate::geo::Point;
+use crate::path::Path;
 use crate::units::{Course, Radius};
 use alloc::collections::BTreeMap;
 use alloc::format;
@@ -26,7 +26,7 @@ pub struct Bench {
     ship: ShipText,
     initial: Initial,
     legs: Vec<Leg>,
-    turns: Vec<Arc>,
+    turns: Vec<ArcText>,
     waypoints: Vec<[f64; 2]>,
     scenarios: BTreeMap<String, Conditions>,
     #[serde(default)]
@@ -57,7 +57,7 @@ struct Leg {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct Arc {
+struct ArcText {
     #[serde(rename = "R_nm")]
     radius_nm: f64,
     centre: [f64; 2],

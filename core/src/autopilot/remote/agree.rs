@@ -6,13 +6,13 @@
 //!
 //! **Invariant:** the path changes only to one that fits the path before it; what does not fit is named, and nothing moves.
 
-use super::super::steering::{Part, Path, PathTurn};
 use super::super::{Autopilot, Mode};
 use super::TurnPlan;
 use super::place::nearest;
 use crate::command;
 use crate::facts::Quantity;
 use crate::geo::Point;
+use crate::path::{Arc, Part, Path};
 use crate::time::Stamp;
 use crate::units::{Course, METRES_PER_NAUTICAL_MILE, Radius, SignedAngle};
 use alloc::format;
@@ -168,7 +168,7 @@ impl Autopilot {
     fn turn_ends(
         &mut self,
         path: &Path,
-        turn: &PathTurn,
+        turn: &Arc,
         line: Path,
         ship: Point,
     ) -> Result<Option<Path>, String> {
@@ -284,7 +284,7 @@ impl Autopilot {
     fn in_turn(
         &mut self,
         path: &Path,
-        turn: &PathTurn,
+        turn: &Arc,
         (before, track): (Course, Course),
         radius: Radius,
         ship: Point,

@@ -1,10 +1,10 @@
 //! Where the commanded leg, centre and turn lie in the own plane (TCS-4, AP-16).
 
-use super::super::steering::Path;
 use super::super::{Autopilot, Mode};
 use crate::command;
 use crate::facts::Quantity;
 use crate::geo::{Point, Position};
+use crate::path::Path;
 use crate::time::Stamp;
 use crate::units::{Course, METRES_PER_NAUTICAL_MILE, Radius};
 use alloc::format;

@@ -12,18 +12,17 @@
 
 mod heading;
 mod observer;
-mod path;
 mod reckoning;
 mod rudder;
 mod settings;
 mod ship;
 mod track;
 
-pub use path::{Part, Path, PathTurn, Progress};
 pub use settings::SteeringSettings;
 pub use ship::has_own_constants;
 
 use crate::geo::Point;
+use crate::path::Path;
 use crate::units::{
     Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle, Speed, wrap_180,
 };

@@ -9,17 +9,17 @@
 //! ```
 //! `f` is the line of sight near the track; far from it the angle that a turn of limited rate can take off again.
 //! `pi_s`, `k_s`, `o` are the planned direction, curvature and place averaged over a window centred on the
-//! ship (`path.rs`): the forwarding distance is half that window. Course control with the speed over ground
+//! ship (`path/smooth.rs`): the forwarding distance is half that window. Course control with the speed over ground
 //! holds the radius in a current; Lekkas and Fossen 2013 for the line of sight, the rest worked out here.
 //! A change of path fades in over 10 s, and a turn that is done keeps its window until it has passed, so
 //! that no step reaches the rudder.
 
 use super::heading::ReferenceModel;
-use super::path::Path;
 use super::reckoning::Sailing;
 use super::settings::{ShipAtSpeed, SteeringSettings};
 use super::wrap;
 use crate::geo::Point;
+use crate::path::Path;
 use serde::{Deserialize, Serialize};
 
 /// Memory of the guidance.

@@ -1,12 +1,13 @@
-//! The path that is steered along: a leg, or two legs joined by an arc, with its curvature smoothed.
+//! The one geometry of a way that is sailed: a leg, or two legs joined by an arc, in a local plane.
 //!
-//! A ship cannot change her curvature at once. With the planned curvature `k(s)` averaged over a window
-//! of half length `h`, the path that can be sailed leaves the planned one by `o(s)`, `o'' = k_mean - k`:
-//! `o` grows to `h^2/(6R)` inside the arc and is nothing on the legs. Everything is in closed form, as
-//! the sum of two steps of curvature, `e(s)` at the start of the arc and `-e(s - length)` at its end.
+//! Autopilot, page and bench lay and measure their paths here. In: courses, a centre, a radius. Out: where a point lies along
+//! the path and beside it, the point that lies there, and in `smooth` the way that a ship can sail.
+
+mod smooth;
 
 use crate::geo::Point;
 use crate::units::{Course, Distance, Radius, wrap_180};
+use alloc::vec::Vec;
 use core::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
@@ -18,12 +19,12 @@ pub struct Path {
     /// Any point on the incoming leg.
     pub point: Point,
     /// The turn that follows.
-    pub turn: Option<PathTurn>,
+    pub turn: Option<Arc>,
 }
 
 /// An arc to which both legs are tangent.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PathTurn {
+pub struct Arc {
     /// Centre of the arc.
     pub centre: Point,
     /// Its radius.
@@ -55,19 +56,6 @@ pub struct Progress {
     pub cross_track: f64,
 }
 
-/// The smoothed path at one place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Smooth {
-    /// Cross-track distance of the smoothed path from the planned one, m.
-    pub(super) offset: f64,
-    /// Its direction, rad.
-    pub(super) tangent: f64,
-    /// Its curvature, 1/m.
-    pub(super) curvature: f64,
-    /// Change of the curvature along the path, 1/m^2.
-    pub(super) bend: f64,
-}
-
 impl Path {
     /// A leg through `point`.
     #[must_use]
@@ -91,7 +79,7 @@ impl Path {
         Self {
             course_in,
             point,
-            turn: Some(PathTurn {
+            turn: Some(Arc {
                 centre,
                 radius,
                 course_out,
@@ -107,6 +95,50 @@ impl Path {
             .centre
             .towards(turn.course_out.deg() - 90.0 * self.side(), turn.radius.m());
         Self::leg(end, turn.course_out)
+    }
+
+    /// Where the arc begins; for a leg alone the point that it was laid through.
+    #[must_use]
+    pub fn start(&self) -> Point {
+        self.at(0.0, 0.0)
+    }
+
+    /// The point so many metres along the path as [`Progress`] counts them, and so many to starboard of it.
+    #[must_use]
+    pub fn at(&self, along: f64, starboard: f64) -> Point {
+        let beside = |point: Point, course: Course, along: f64| {
+            point
+                .towards(course.deg(), along)
+                .towards(course.deg() + 90.0, starboard)
+        };
+        let Some(turn) = self.turn.filter(|_| along >= 0.0) else {
+            return beside(self.point, self.course_in, along);
+        };
+        let length = self.arc_length();
+        if along > length {
+            let out = self.leg_out();
+            return beside(out.point, out.course_in, along - length);
+        }
+        let (side, radius) = (self.side(), turn.radius.m().max(1.0));
+        let bearing = self.course_in.deg() + side * ((along / radius).to_degrees() - 90.0);
+        let distance = (radius - side * starboard).max(0.0);
+        turn.centre.towards(bearing, distance)
+    }
+
+    /// The arc as a line of points, `from` metres to starboard of it at its begin, `to` metres at its end.
+    #[must_use]
+    pub fn drawn(&self, from: f64, to: f64) -> Vec<Point> {
+        let length = self.arc_length();
+        let turned = self
+            .turn
+            .map_or(0.0, |turn| length / turn.radius.m().max(1.0));
+        let steps = (turned.to_degrees() / 3.0) as u32 + 2;
+        (0..=steps)
+            .map(|step| {
+                let part = f64::from(step) / f64::from(steps);
+                self.at(length * part, from + (to - from) * part)
+            })
+            .collect()
     }
 
     /// Cross-track distance from the part of the path where `p` is.
@@ -191,54 +223,6 @@ impl Path {
         }
         best
     }
-
-    /// The smoothed path `along` metres from the start of the arc, averaged over `half` to both sides.
-    pub(super) fn smooth(&self, along: f64, half: f64) -> Smooth {
-        let Some(turn) = self.turn else {
-            let tangent = self.course_in.rad();
-            return Smooth {
-                offset: 0.0,
-                tangent,
-                curvature: 0.0,
-                bend: 0.0,
-            };
-        };
-        let kappa = self.side() / turn.radius.m().max(1.0);
-        let length = self.arc_length();
-        let [o0, t0, k0, b0] = step_of_curvature(along, half.max(1.0));
-        let [o1, t1, k1, b1] = step_of_curvature(along - length, half.max(1.0));
-        let planned = along.clamp(0.0, length);
-        Smooth {
-            offset: kappa * (o0 - o1),
-            tangent: self.course_in.rad() + kappa * (planned + t0 - t1),
-            curvature: kappa * (k0 - k1),
-            bend: kappa * (b0 - b1),
-        }
-    }
-}
-
-/// Offset, change of direction beyond the planned one, curvature and its slope, for a unit step at 0.
-fn step_of_curvature(s: f64, h: f64) -> [f64; 4] {
-    if s <= -h {
-        return [0.0; 4];
-    }
-    if s >= h {
-        return [h * h / 6.0, 0.0, 1.0, 0.0];
-    }
-    let mean = (s + h) / (2.0 * h);
-    let slope = 1.0 / (2.0 * h);
-    if s < 0.0 {
-        let u = s + h;
-        [u * u * u / (12.0 * h), u * u / (4.0 * h), mean, slope]
-    } else {
-        let u = s - h;
-        [
-            h * h / 6.0 + u * u * u / (12.0 * h),
-            u * u / (4.0 * h),
-            mean,
-            slope,
-        ]
-    }
 }
 
 /// Distance along a line from `origin` and across it, right positive.
@@ -249,10 +233,10 @@ fn from_line(origin: Point, course: Course, p: Point) -> (f64, f64) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn right_turn() -> Path {
+    pub(super) fn right_turn() -> Path {
         let centre = Point {
             north: 1000.0,
             east: 500.0,
@@ -331,21 +315,17 @@ mod tests {
     }
 
     #[test]
-    fn the_smoothed_path_is_the_integral_of_its_curvature() {
-        let path = right_turn();
-        let (mut before, step) = (path.smooth(-250.0, 200.0), 0.5);
-        let mut s = -250.0;
-        while s < 1100.0 {
-            let next = path.smooth(s + step, 200.0);
-            let mean = 0.5 * (before.curvature + next.curvature);
-            assert!(
-                (next.tangent - before.tangent - mean * step).abs() < 1e-6,
-                "at {s}"
-            );
-            before = next;
-            s += step;
+    fn a_point_along_the_path_lies_there() {
+        for path in [right_turn(), right_turn().leg_out()] {
+            for (along, starboard) in [(-300.0, 25.0), (0.0, -10.0), (200.0, 40.0), (900.0, -30.0)]
+            {
+                let progress = path.progress(path.at(along, starboard));
+                assert!((progress.along - along).abs() < 1e-6, "{progress:?}");
+                assert!((progress.cross_track - starboard).abs() < 1e-6);
+            }
         }
-        assert!((before.tangent - PI / 2.0).abs() < 1e-9 && before.offset.abs() < 1e-9);
-        assert!((path.smooth(400.0, 200.0).offset - 200.0 * 200.0 / 3000.0).abs() < 1e-9);
+        let line = right_turn().drawn(0.0, 0.0);
+        assert!(line[0].distance(right_turn().start()) < 1e-6 && line.len() > 20);
+        assert!(line[line.len() - 1].distance(right_turn().leg_out().point) < 1e-6);
     }
 }
