@@ -253,9 +253,9 @@ fn what_no_station_here_uses_is_refused() {
         &["start_heading", "world"],
     );
     unused(
-        "autopilot",
+        "world",
         "[ship]\nantenna_forward_m = 9\n",
-        &["chart_system"],
+        &["autopilot", "chart_system"],
     );
     unused("world", "[ship]\nrudder_max_deg = 30\n", &["autopilot"]);
     let text = "roles = [\"world\"]\n[autopilot]\nset_rate = 9\n";
@@ -267,6 +267,16 @@ fn what_no_station_here_uses_is_refused() {
         let again = in_force(&from_text("w.toml", &first, None).unwrap());
         assert_eq!(first, again);
     }
+}
+
+// AP-16: the offsets of the ship reach the autopilot.
+#[test]
+fn the_offsets_of_the_ship_are_settings_of_the_autopilot() {
+    let text =
+        "roles = [\"autopilot\"]\n[ship]\nantenna_forward_m = -40\nconning_starboard_m = 2.5\n";
+    let config = from_text("w.toml", text, None).unwrap();
+    assert_eq!(config.settings.antenna_forward_m, -40.0);
+    assert_eq!(config.settings.conning_starboard_m, 2.5);
 }
 
 #[test]
