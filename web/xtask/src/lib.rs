@@ -1,4 +1,3 @@
 //! What the build task's programs share. It needs no other crate, so that the first command starts its work at once.
 
-pub mod cores;
 pub mod shell;

@@ -1,4 +1,4 @@
-//! The project's build task: `cargo xtask build | serve | watch | test`.
+//! The project's build task: `cargo xtask build | serve | ship | watch | test`.
 
 mod deny;
 mod page;
@@ -12,7 +12,9 @@ use xtask::shell::{Failure, Outcome};
 
 const USAGE: &str = "usage: cargo xtask <task>
   build [--release]               the page, into web/dist
-  serve [--release] [-- ARGS]     the page and the server, then runs `wheelover ARGS`
+  serve [--release] [-- ARGS]     the page and the server, then runs `wheelover ARGS`; --release: the small page, and a
+                                  server that is optimised where it computes, since the first command is a build
+  ship                            what is shipped, into target/release/wheelover: fully optimised, the page inside
   watch [-- ARGS]                 as serve; an edit of the page is on the screen in seconds
   test                            installs what the tests need, then checks and tests everything";
 
@@ -50,6 +52,7 @@ fn run(request: &Request) -> Outcome {
     match request.task.as_str() {
         "build" => page::build(request.release),
         "serve" => serve::serve(request.release, &request.rest),
+        "ship" => serve::ship(),
         "watch" => watch::watch(&request.rest),
         "test" => test::test(),
         "help" | "--help" | "-h" => {

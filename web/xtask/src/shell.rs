@@ -105,25 +105,17 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
 }
 
-/// Starts `command` and goes on; its end is waited for by [`Beside::done`].
-#[must_use]
-pub fn beside(mut command: Command) -> Beside {
-    Beside(std::thread::spawn(move || run(&mut command)))
-}
-
-/// A command that runs beside others.
-#[derive(Debug)]
-pub struct Beside(std::thread::JoinHandle<Outcome>);
-
-impl Beside {
-    /// Waits for its end.
-    ///
-    /// # Errors
-    /// It could not be started, or ended with anything but success.
-    pub fn done(self) -> Outcome {
-        let lost = |_| Err(Failure::new("a command that ran beside was lost"));
-        self.0.join().unwrap_or_else(lost)
-    }
+/// Does one thing beside another.
+///
+/// # Errors
+/// What the first failed with, else the second.
+pub fn beside(one: impl FnOnce() -> Outcome + Send, other: impl FnOnce() -> Outcome) -> Outcome {
+    std::thread::scope(|scope| {
+        let one = scope.spawn(one);
+        let other = other();
+        let lost = |_| Err(Failure::new("what ran beside was lost"));
+        one.join().unwrap_or_else(lost).and(other)
+    })
 }
 
 /// Whether a program of this name is on the path.

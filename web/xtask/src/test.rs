@@ -2,7 +2,7 @@
 
 use crate::deny;
 use crate::page;
-use crate::serve::server;
+use crate::serve::{Profile, server};
 use crate::tools::{BARE, WASM, browser, fonts, gpsd, has_target, wasm_target};
 use std::time::Instant;
 use xtask::shell::{Failure, Outcome, cargo, has, output, run, step, target};
@@ -83,7 +83,7 @@ pub(crate) fn test() -> Outcome {
         ]))
     })?;
     page::build_within_budget()?;
-    step("server", || run(&mut server("build", false)))?;
+    step("server", || run(&mut server("build", Profile::Debug)))?;
     step("tests in wasm", wasm_tests)?;
     step("integration and browser tests", || {
         let binary = target()

@@ -1,7 +1,7 @@
 //! `watch`: builds and runs again what was edited. The page of a development build reloads itself.
 
 use crate::page;
-use crate::serve::server;
+use crate::serve::{Profile, server};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command};
@@ -40,11 +40,11 @@ pub(crate) fn watch(arguments: &[String]) -> Outcome {
 }
 
 fn build_server() -> Outcome {
-    step("server", || run(&mut server("build", false)))
+    step("server", || run(&mut server("build", Profile::Debug)))
 }
 
 fn start(arguments: &[String]) -> Result<Child, Failure> {
-    server("run", false)
+    server("run", Profile::Debug)
         .arg("--")
         .args(arguments)
         .spawn()
