@@ -17,10 +17,9 @@ mod sight;
 use crate::alerts::Standing;
 use crate::nmea::Sentence;
 use crate::picture::Picture;
+use crate::post::{self, Post, Station};
 use crate::route::{Progress, Route};
-use crate::station::{
-    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station,
-};
+use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::time::Stamp;
 use crate::units::{Distance, Speed};
 use alloc::string::String;
@@ -161,7 +160,7 @@ impl ChartSystem {
     pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
         self.run(now, out);
         match input {
-            Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
+            Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
             Input::Stalled { .. } => {
                 self.post.stalled(now);
                 self.guard.forget();
@@ -197,7 +196,7 @@ impl ChartSystem {
     /// One second: where the ship is, what is indicated, what is said.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         self.now = now;
-        station::time_out(self, now, out);
+        post::time_out(self, now, out);
         self.monitor(now);
         self.watch_over(now);
         let lines = self.sentences(now);

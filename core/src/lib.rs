@@ -16,6 +16,7 @@ pub mod geo;
 pub mod nmea;
 pub mod path;
 pub mod picture;
+mod post;
 pub mod recording;
 pub mod route;
 pub mod scenario;

@@ -9,14 +9,14 @@
 mod fold;
 
 use crate::facts::facts;
+pub use crate::facts::fix::{Fix, Ground};
 use crate::facts::known::OfPicture;
 use crate::facts::ports::rank;
-use crate::geo::Position;
 use crate::limits::{Freshness, Quantity, freshness};
-use crate::nmea::{Htc, Htd, ModeIndicator, Pney1, Pney2, Sentence, Xte, decode_knowing};
+use crate::nmea::{Htc, Htd, Pney1, Pney2, Sentence, Xte, decode_knowing};
 use crate::station::{PortIndex, PortSetup, Role};
 use crate::time::Stamp;
-use crate::units::{Course, Heading, RateOfTurn, RudderAngle, Speed};
+use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec;
@@ -84,36 +84,6 @@ impl<T> Heard<T> {
             Freshness::Lost | Freshness::Never => None,
         }
     }
-}
-
-/// A position with its quality.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Fix {
-    /// Place.
-    pub position: Position,
-    /// How it was found; always a valid mode.
-    pub mode: ModeIndicator,
-    /// Its time, seconds after midnight UTC.
-    pub utc: Option<f64>,
-}
-
-impl Fix {
-    /// Differential, precise or real-time kinematic (AP-7).
-    #[must_use]
-    pub fn corrected(&self) -> bool {
-        self.mode.valid() && self.mode != ModeIndicator::Autonomous
-    }
-}
-
-/// Course and speed over ground.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Ground {
-    /// Course, absent where the ship lies still.
-    pub course: Option<Course>,
-    /// Speed.
-    pub speed: Speed,
-    /// How it was found; always a valid mode.
-    pub mode: ModeIndicator,
 }
 
 /// What the last HTC meant (SEN-5).

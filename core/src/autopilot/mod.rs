@@ -19,8 +19,9 @@ use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
 use crate::path::Part;
+use crate::post::{self, Post, Station};
 use crate::settings::{Settings, SteeringBy};
-use crate::station::{self, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station};
+use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::collections::VecDeque;
@@ -139,7 +140,7 @@ impl Autopilot {
         }
         self.advance(now, out);
         match input {
-            Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
+            Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
             Input::Order { order, .. } => self.obey(now, order, out),
             Input::Stalled { .. } | Input::Tick => {}
         }
@@ -182,7 +183,7 @@ impl Autopilot {
 
     /// One control step.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        station::time_out(self, now, out);
+        post::time_out(self, now, out);
         self.alerts.tick(now);
         // The stall is over once the loop has kept its time for a while.
         if self

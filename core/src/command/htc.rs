@@ -1,6 +1,6 @@
 //! SEN-5: the only way an HTC becomes a command. Decoding is lenient, obeying is strict.
 
-use super::Refusal;
+use super::refusal::Refusal;
 use crate::nmea::{
     CommandStatus, FaultKind, Htc, OverrideStatus, Reference, Sentence, SteeringMode, TurnMode,
 };

@@ -1,10 +1,12 @@
 //! What can be asked of the stations, and the answer: orders, refusals, answers.
 
 mod htc;
+mod refusal;
 
 use crate::settings::Value;
 use alloc::string::String;
 pub use htc::{Remote, htc};
+pub use refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
 /// What is asked: of the autopilot, of our chart-system side, of the embedded voyage.
@@ -106,35 +108,6 @@ pub enum Origin {
     Officer,
     /// The scripted officer of the embedded voyage.
     Script,
-}
-
-/// A command that was not done, with the reason an officer would give.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Refusal {
-    /// The field of the sentence that is at fault, from 1; none where it is no single field.
-    pub field: Option<u8>,
-    /// The reason.
-    pub text: String,
-}
-
-impl Refusal {
-    /// A refusal that is about no field.
-    #[must_use]
-    pub fn because(text: impl Into<String>) -> Self {
-        Self {
-            field: None,
-            text: text.into(),
-        }
-    }
-}
-
-impl core::fmt::Display for Refusal {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self.field {
-            Some(field) => write!(f, "field {field}: {}", self.text),
-            None => f.write_str(&self.text),
-        }
-    }
 }
 
 /// What became of an order.

@@ -3,6 +3,7 @@
 //! One row makes a field of the [`Picture`](crate::picture::Picture), its place in the fold, and the sentences that a page
 //! needs to decode. Which port may say a sentence stands in [`ports`]; what a sentence means for a fact in `read`.
 
+pub(crate) mod fix;
 pub(crate) mod known;
 pub mod limits;
 pub mod ports;

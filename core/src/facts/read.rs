@@ -1,7 +1,7 @@
 //! What a sentence without faults says about a fact: a value, or that its source has none (AP-9, FA5).
 
+use super::fix::{Fix, Ground};
 use crate::nmea::{self, DataStatus, ModeIndicator, Sentence};
-use crate::picture::{Fix, Ground};
 use crate::units::{Course, Heading, RateOfTurn, RudderAngle, Speed};
 
 /// What a source has said.

@@ -2,6 +2,7 @@
 
 use super::document::{Bench, Conditions, Disturbance};
 use super::metrics::{Meter, Report};
+use super::sample::{STEP, Sample, Stage};
 use crate::autopilot::steering::{Demand, Measured, Steering, SteeringSettings};
 use crate::geo::Point;
 use crate::path::Path;
@@ -11,8 +12,6 @@ use crate::units::{
 };
 use crate::world::{Drive, Hull};
 
-/// Control and integration step, s.
-pub(super) const STEP: f64 = 0.1;
 const GYRO_NOISE: f64 = 0.1;
 const RATE_NOISE: f64 = 0.02;
 const POSITION_DRIFT: f64 = 1.5;
@@ -22,40 +21,6 @@ const VELOCITY_NOISE: f64 = 0.05;
 const LOST: f64 = 1500.0;
 /// A run ends here at the latest, s.
 const LONGEST: f64 = 20_000.0;
-
-/// The ship at one moment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Seconds from the start.
-    pub time: f64,
-    /// Metres north.
-    pub north: f64,
-    /// Metres east.
-    pub east: f64,
-    /// True heading, degrees, not wrapped.
-    pub heading: f64,
-    /// Rate of turn, degrees a second.
-    pub rate: f64,
-    /// Actual rudder, degrees.
-    pub rudder: f64,
-    /// Rudder order, degrees.
-    pub order: f64,
-    /// Speed through the water, m/s.
-    pub speed: f64,
-    /// Distance from the leg, or from the circle in arcs, m; right of track positive.
-    pub cross_track: f64,
-    /// Where on the route.
-    pub stage: Stage,
-}
-
-/// Leg or arc, counted from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// On a leg.
-    Leg(usize),
-    /// On the arc at its end.
-    Arc(usize),
-}
 
 /// One scenario under way.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The bench's figures: distances from the track, heading overshoot, rudder work.
 
-use super::bench::{STEP, Sample, Stage};
+use super::sample::{STEP, Sample, Stage};
 use crate::units::METRES_PER_NAUTICAL_MILE;
 use alloc::format;
 use alloc::string::String;

@@ -8,8 +8,10 @@ mod bench;
 mod document;
 mod manoeuvre;
 mod metrics;
+mod sample;
 
-pub use bench::{BenchRun, Sample};
+pub use bench::BenchRun;
 pub use document::{Bench, Conditions, Disturbance, Document};
 pub use manoeuvre::{Manoeuvre, ManoeuvreRow, Plan, SpiralRow};
 pub use metrics::Report;
+pub use sample::Sample;

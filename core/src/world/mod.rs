@@ -18,9 +18,8 @@ use crate::command::{FaultKind, Order, Refusal};
 use crate::geo::{Plane, Point, Position};
 use crate::nmea::Sentence;
 use crate::picture::Picture;
-use crate::station::{
-    self, ChecksumPolicy, Input, Output, PortIndex, PortSetup, Post, Profile, Role, Station,
-};
+use crate::post::{self, Post, Station};
+use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::time::Stamp;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::format;
@@ -195,7 +194,7 @@ impl World {
             }
         }
         match input {
-            Input::Bytes { port, bytes } => station::hear(self, now, port, bytes, out),
+            Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
             Input::Order { order, .. } => out.push(Output::Answer(self.obey(order))),
             Input::Stalled { .. } | Input::Tick => {}
         }
@@ -280,7 +279,7 @@ impl World {
 
     fn step(&mut self, out: &mut Vec<Output>) {
         let now = self.next;
-        station::time_out(self, now, out);
+        post::time_out(self, now, out);
         let dt = STEP as f64 / 1000.0;
         self.drive.order = match self.order {
             Some((order, at)) if now.since(at) <= ORDER_AGE => order,

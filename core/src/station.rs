@@ -1,12 +1,9 @@
-//! What every station (autopilot, chart system, world) shares: ports, what goes in, what comes out, its post.
+//! What every station (autopilot, chart system, world) shares: ports, what goes in, what comes out.
 //!
 //! **Invariant:** stations exchange bytes only, never state.
 
-mod post;
-
 use crate::command::{Order, Origin, Refusal};
 use crate::settings::Value;
-pub(crate) use post::{Post, Station, hear, time_out};
 
 use alloc::string::String;
 use alloc::vec::Vec;

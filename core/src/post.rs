@@ -3,10 +3,10 @@
 //! In: bytes of a port. Out: a [`Output::Line`] for each line heard or said, and [`Output::Send`] for what is said.
 //! Every line is folded into the picture, so that a page that folds the same lines has the same picture.
 
-use super::{Direction, Output, PortIndex, PortSetup, Role};
 use crate::limits::Quantity;
 use crate::nmea::{self, Ear, Frame, Sentence};
 use crate::picture::{Heard, Picture};
+use crate::station::{Direction, Output, PortIndex, PortSetup, Role};
 use crate::time::Stamp;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
