@@ -1,20 +1,31 @@
-//! `docs/sentences.md` is what the tables say. `WHEELOVER_REWRITE=1` writes it anew.
+//! `docs/sentences.md` and `docs/modes.md` are what the code says. `WHEELOVER_REWRITE=1` writes it anew.
 
 use std::fs;
 use std::path::PathBuf;
+use wheelover_core::autopilot::modes_document;
 use wheelover_core::nmea::{dictionary, explain};
 
 #[test]
 fn the_document_of_the_sentences_is_up_to_date() {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../docs/sentences.md");
-    let document = explain::document();
+    is_up_to_date("sentences.md", &explain::document());
+}
+
+#[test]
+fn the_document_of_the_modes_is_up_to_date() {
+    is_up_to_date("modes.md", &modes_document());
+}
+
+fn is_up_to_date(name: &str, document: &str) {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../docs")
+        .join(name);
     if std::env::var_os("WHEELOVER_REWRITE").is_some() {
-        fs::write(&path, &document).expect("the document is written");
+        fs::write(&path, document).expect("the document is written");
     }
     let written = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         written == document,
-        "docs/sentences.md is not what the tables say; WHEELOVER_REWRITE=1 writes it"
+        "docs/{name} is not what the code says; WHEELOVER_REWRITE=1 writes it"
     );
 }
 

@@ -18,9 +18,8 @@ pub mod steering;
 use crate::alerts::{Alert, Alerts};
 use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
-use crate::path::Part;
 use crate::post::{self, Post, Station};
-use crate::settings::{Settings, SteeringBy};
+use crate::settings::Settings;
 use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::time::Stamp;
 use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
@@ -28,13 +27,16 @@ use alloc::collections::VecDeque;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
-use modes::{Event, Ship};
-pub use modes::{Finish, Mode, ModeName};
+pub use modes::{
+    Auto, AutonavTi, AutonavTn, Finish, Mode, ModeName, RudderHold, Standby,
+    document as modes_document,
+};
+use modes::{Event, Facts, Need, Row};
 use remote::Remote;
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
 use sight::{Compasses, PositionGuard, Preferred, RateGuard, SpeedGuard};
-use steering::{Demand, Steered, Steering, SteeringSettings, TurnBy};
+use steering::{Steered, Steering, SteeringSettings};
 
 /// A selection of AutoNAV that waits for the chart system (AP-6).
 pub const CONFIRM_MS: u64 = 20_000;
@@ -51,8 +53,6 @@ pub struct Autopilot {
     named_ship: Option<SteeringSettings>,
     steering: Steering,
     mode: Mode,
-    /// Until when the operator's AutoNAV selection stands.
-    pending: Option<Stamp>,
     why: String,
     order: RudderAngle,
     steered: Option<Steered>,
@@ -65,12 +65,7 @@ pub struct Autopilot {
     rate_guard: RateGuard,
     speed_guard: SpeedGuard,
     remote: Remote,
-    /// The ship has been within half the off-track limit since track control began.
-    captured: bool,
-    off_track_since: Option<Stamp>,
     stalled_since: Option<Stamp>,
-    /// Until when a stop by the chart system may still turn out to be the end of the route (TCS-10).
-    stop_cause_until: Option<Stamp>,
     off_heading_since: Option<Stamp>,
     rudder_error_since: Option<Stamp>,
     /// Alert reports that wait for their share of the line (AP-11).
@@ -96,8 +91,7 @@ impl Autopilot {
             alerts: Alerts::default(),
             settings,
             steering: Steering::new(ship),
-            mode: Mode::Standby,
-            pending: None,
+            mode: Mode::STANDBY,
             why: "start-up".into(),
             order: RudderAngle::from_deg(0.0),
             steered: None,
@@ -109,10 +103,7 @@ impl Autopilot {
             rate_guard: RateGuard::default(),
             speed_guard: SpeedGuard::default(),
             remote: Remote::default(),
-            captured: false,
-            off_track_since: None,
             stalled_since: None,
-            stop_cause_until: None,
             off_heading_since: None,
             rudder_error_since: None,
             reports: Alert::ALL
@@ -197,14 +188,9 @@ impl Autopilot {
         self.supervise(now);
         let before = self.order;
         self.steered = None;
-        match (self.demand(now), self.measured(now)) {
+        match (self.mode.demand(&self.facts(now)), self.measured(now)) {
             (Some(demand), Some(measured)) => {
-                let autonav = self.mode.is_autonav();
-                let limit = if autonav {
-                    self.settings.rudder_max
-                } else {
-                    self.settings.rudder_limit
-                };
+                let limit = self.mode.row().rudder_limit(&self.settings);
                 let dt = self.step_ms() as f64 / 1000.0;
                 let steered =
                     self.steering
@@ -219,58 +205,15 @@ impl Autopilot {
         self.send_order(out);
     }
 
-    /// What the mode asks of the steering; absent where no orders are computed.
-    fn demand(&mut self, now: Stamp) -> Option<Demand> {
-        let own = if self.settings.steering_by == SteeringBy::Radius {
-            TurnBy::Radius(crate::units::Radius::from_nm(self.settings.set_radius))
-        } else {
-            TurnBy::Rate(RateOfTurn::from_deg_per_min(self.settings.set_rate))
-        };
-        match &mut self.mode {
-            Mode::Standby | Mode::RudderHold { .. } => None,
-            Mode::Auto { set, finish } => {
-                if let Some(Finish {
-                    by,
-                    wait: Some(path),
-                }) = *finish
-                {
-                    let before_arc = self
-                        .position_guard
-                        .long_dead_reckoning(now)
-                        .is_some_and(|point| path.progress(point).part == Part::LegIn);
-                    if before_arc {
-                        let set = path.course_in.as_heading();
-                        return Some(Demand::Heading {
-                            set,
-                            by: TurnBy::Free,
-                        });
-                    }
-                    *finish = Some(Finish { by, wait: None });
-                }
-                Some(Demand::Heading {
-                    set: *set,
-                    by: finish.map_or(own, |finish| finish.by),
-                })
-            }
-            Mode::AutonavTn { hts, rate, .. } => Some(Demand::Heading {
-                set: *hts,
-                by: rate.map_or(TurnBy::Free, TurnBy::Rate),
-            }),
-            Mode::AutonavTi { path, .. } => Some(Demand::Track(*path)),
-        }
-    }
-
     /// Takes a transition; the order does not jump (FA6).
     fn apply(&mut self, now: Stamp, event: &Event, why: &str) {
-        let ship = self.ship(now);
-        let before = self.mode.name();
-        let mode = core::mem::replace(&mut self.mode, Mode::Standby);
-        self.mode = mode.next(event, &ship);
+        let before = self.mode.row();
+        self.mode = self.mode.next(event, &self.facts(now));
         self.why = why.to_string();
         // While orders are given the steering joins one law to the next by itself; else it begins anew.
-        let idle = |name| matches!(name, ModeName::Standby | ModeName::RudderHold);
-        if idle(before) && !idle(self.mode.name()) {
-            if before == ModeName::Standby {
+        let steers = |row: &Row| row.needs(Need::Heading);
+        if !steers(before) && steers(self.mode.row()) {
+            if !before.gives_orders() {
                 // The gear stands where the hand left it.
                 let response = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
                 self.order = response.unwrap_or(self.order);
@@ -281,19 +224,16 @@ impl Autopilot {
         }
     }
 
-    fn ship(&self, now: Stamp) -> Ship {
-        let before_arc = match (&self.mode, self.position_guard.long_dead_reckoning(now)) {
-            (Mode::AutonavTi { path, .. }, Some(point)) => path.progress(point).part == Part::LegIn,
-            _ => false,
-        };
-        Ship {
-            heading: self
-                .heading
-                .or_else(|| self.post.picture.heading(now).map(|heard| heard.value))
-                .unwrap_or(Heading::from_deg(0.0)),
-            hts: self.hts(),
+    /// What modes know of the ship and of what is set.
+    fn facts(&self, now: Stamp) -> Facts {
+        let heard = self.post.picture.heading(now).map(|heard| heard.value);
+        Facts {
+            now,
+            heading: self.heading.or(heard).unwrap_or(Heading::from_deg(0.0)),
             order: self.order,
-            before_arc,
+            place: self.position_guard.long_dead_reckoning(now),
+            steered: self.steered,
+            settings: self.settings.clone(),
         }
     }
 

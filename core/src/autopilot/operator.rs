@@ -2,7 +2,7 @@
 
 use super::modes::Event;
 use super::steering::SteeringSettings;
-use super::{Autopilot, Mode};
+use super::{Autopilot, Mode, ModeName};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
 use crate::station::Output;
@@ -31,7 +31,6 @@ impl Autopilot {
     fn carry_out(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
         match order {
             Order::Mode(ModeRequest::Standby) => {
-                self.pending = None;
                 self.alerts.rectify(now, Alert::HeadingLost);
                 self.alerts.rectify(now, Alert::Override);
                 self.apply(now, &Event::Standby, "operator selected STANDBY");
@@ -40,7 +39,7 @@ impl Autopilot {
             Order::Mode(ModeRequest::Auto) => self.select_auto(now),
             Order::Mode(ModeRequest::Autonav) => self.request_autonav(now),
             Order::Mode(ModeRequest::Cancel) => {
-                self.pending = None;
+                self.mode.select(None);
                 Ok("AutoNAV selection withdrawn".into())
             }
             Order::Mode(ModeRequest::Track) => {
@@ -49,8 +48,8 @@ impl Autopilot {
             Order::SetHeading(degrees) => within("set heading", *degrees, 0.0..=360.0)
                 .and_then(|degrees| self.set_heading(now, Heading::from_deg(degrees))),
             Order::AdjustHeading(degrees) => match &self.mode {
-                Mode::Auto { set, .. } => {
-                    let set = *set;
+                Mode::Auto(auto) => {
+                    let set = auto.set;
                     within("change of the set heading", *degrees, -180.0..=180.0).and_then(
                         |degrees| self.set_heading(now, set + SignedAngle::from_deg(degrees)),
                     )
@@ -82,22 +81,17 @@ impl Autopilot {
     }
 
     fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {
-        let Some(heading) = self.heading else {
-            return Err(Refusal::because("no heading"));
-        };
-        if self.override_heard(now) {
-            return Err(Refusal::because("override is in use"));
-        }
-        self.pending = None;
+        self.can_enter(now, ModeName::Auto)?;
         self.alerts.rectify(now, Alert::HeadingLost);
         self.alerts.rectify(now, Alert::TrackFail);
         self.alerts.rectify(now, Alert::Override);
         self.apply(now, &Event::Auto, "operator selected AUTO");
-        Ok(format!("AUTO on {:05.1}", heading.deg()))
+        let heading = self.hts().map_or(0.0, Heading::deg);
+        Ok(format!("AUTO on {heading:05.1}"))
     }
 
     fn set_heading(&mut self, now: Stamp, set: Heading) -> Result<String, Refusal> {
-        if !matches!(self.mode, Mode::Auto { .. }) {
+        if !matches!(self.mode, Mode::Auto(_)) {
             return Err(Refusal::because("the heading is set in AUTO only"));
         }
         self.off_heading_since = None;

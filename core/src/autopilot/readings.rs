@@ -12,16 +12,7 @@ impl Autopilot {
     /// Heading to steer in force.
     #[must_use]
     pub fn hts(&self) -> Option<Heading> {
-        match &self.mode {
-            Mode::Auto { set, .. } => Some(*set),
-            Mode::AutonavTn { hts, .. } => Some(*hts),
-            Mode::AutonavTi { path, .. } => Some(
-                self.steered
-                    .as_ref()
-                    .map_or(path.course_in.as_heading(), |steered| steered.hts),
-            ),
-            Mode::Standby | Mode::RudderHold { .. } => None,
-        }
+        self.mode.hts(&self.facts(self.now))
     }
 
     /// The picture of what is heard and sent.
@@ -33,7 +24,7 @@ impl Autopilot {
     /// Until when an AutoNAV selection waits for its confirmation.
     #[must_use]
     pub const fn pending(&self) -> Option<Stamp> {
-        self.pending
+        self.mode.selected_until()
     }
 
     /// Why the mode is what it is: last refusal or cause, in an officer's words.
@@ -69,6 +60,12 @@ impl Autopilot {
     /// Rudder order in force; absent where none is given.
     #[must_use]
     pub fn rudder_order(&self) -> Option<RudderAngle> {
-        (self.mode != Mode::Standby).then_some(self.order)
+        self.mode.row().gives_orders().then_some(self.order)
+    }
+
+    /// Rudder limit in force, degrees; in STANDBY the one that AUTO will have.
+    #[must_use]
+    pub const fn rudder_limit(&self) -> f64 {
+        self.mode.row().rudder_limit(&self.settings)
     }
 }

@@ -5,10 +5,9 @@ use crate::alerts::{Alert, State};
 use crate::limits::Quantity;
 use crate::nmea::{
     AcknowledgeState, AlarmCondition, Alr, CommandSource, DataStatus, Hdt, Htd, LimitStatus,
-    OverrideStatus, Reference, Ror, Rsa, SteeringMode, TurnMode,
+    OverrideStatus, Reference, Ror, Rsa, TurnMode,
 };
 use crate::path::Part;
-use crate::settings::SteeringBy;
 use crate::station::{Output, Profile};
 use crate::time::Stamp;
 use crate::units::RudderAngle;
@@ -155,59 +154,14 @@ impl Autopilot {
             heading: self.heading.map(crate::units::Heading::deg),
             ..Htd::default()
         };
-        let settings = &self.settings;
-        let rate_in_use = steered.map(|steered| steered.rate_reference.abs().deg_per_min());
-        match &self.mode {
-            Mode::Standby => {
-                htd.steering_mode = Some(SteeringMode::Manual);
-                return htd;
-            }
-            Mode::RudderHold { .. } => {
-                htd.steering_mode = Some(SteeringMode::RudderControl);
-                htd.turn_mode = Some(TurnMode::NotControlled);
-                htd.rudder_limit = Some(settings.rudder_max);
-            }
-            Mode::Auto { .. } => {
-                htd.steering_mode = Some(SteeringMode::StandAlone);
-                htd.turn_mode = Some(TurnMode::NotControlled);
-                htd.rudder_limit = Some(settings.rudder_limit);
-                if settings.steering_by == SteeringBy::Radius {
-                    htd.radius = Some(settings.set_radius);
-                } else {
-                    htd.rate_of_turn = Some(settings.set_rate);
-                }
-            }
-            Mode::AutonavTn { hts, track, rate } => {
-                htd.steering_mode = Some(SteeringMode::HeadingControl);
-                htd.turn_mode = Some(if rate.is_some() {
-                    TurnMode::Rate
-                } else {
-                    TurnMode::NotControlled
-                });
-                htd.rudder_limit = Some(settings.rudder_max);
-                htd.rate_of_turn = rate.map(|rate| rate.abs().deg_per_min());
-                htd.heading_to_steer = Some(hts.deg());
-                htd.track = Some(track.deg());
-            }
-            Mode::AutonavTi {
-                path,
-                radius,
-                track,
-            } => {
-                htd.steering_mode = Some(SteeringMode::TrackControl);
-                htd.turn_mode = Some(if path.turn.is_some() {
-                    TurnMode::Radius
-                } else {
-                    TurnMode::NotControlled
-                });
-                htd.rudder_limit = Some(settings.rudder_max);
-                htd.radius = radius.map(crate::units::Radius::nm);
-                htd.rate_of_turn = path.turn.and(rate_in_use);
-                htd.heading_to_steer = self.hts().map(crate::units::Heading::deg);
-                htd.track = Some(track.deg());
-            }
+        let row = self.mode.row();
+        htd.steering_mode = Some(row.htd);
+        if row.gives_orders() {
+            htd.turn_mode = Some(TurnMode::NotControlled);
+            htd.rudder_limit = Some(row.rudder_limit(&self.settings));
+            htd.off_heading_limit = Some(self.settings.off_heading_limit);
+            self.mode.htd(&self.facts(self.now), &mut htd);
         }
-        htd.off_heading_limit = Some(settings.off_heading_limit);
         htd
     }
 
@@ -220,7 +174,7 @@ impl Autopilot {
 
     /// AP-5: the alert waits until a turn had time to end.
     pub(super) fn watch_heading(&mut self, now: Stamp) {
-        let turning = matches!(&self.mode, Mode::AutonavTi { path, .. } if path.turn.is_some())
+        let turning = matches!(&self.mode, Mode::AutonavTi(ti) if ti.path.turn.is_some())
             || libm::fabs(self.rate.deg_per_min()) > 6.0;
         if !self.off_heading() || turning {
             self.off_heading_since = None;
@@ -270,9 +224,11 @@ impl Autopilot {
     #[must_use]
     pub fn part(&self, now: Stamp) -> Option<Part> {
         match &self.mode {
-            Mode::AutonavTi { path, .. } => {
-                Some(path.progress(self.position_guard.dead_reckoning(now)?).part)
-            }
+            Mode::AutonavTi(ti) => Some(
+                ti.path
+                    .progress(self.position_guard.dead_reckoning(now)?)
+                    .part,
+            ),
             _ => None,
         }
     }

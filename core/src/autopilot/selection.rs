@@ -1,10 +1,11 @@
 //! Selecting AutoNAV: both sides must agree within 20 s, and what each kind needs (AP-6, AP-7, FA14).
 
-use super::modes::Event;
+use super::modes::{self, Event, Need};
 use super::{Autopilot, CONFIRM_MS, Mode, ModeName};
 use crate::alerts::Alert;
 use crate::command::{Refusal, Remote};
 use crate::limits::Quantity;
+use crate::nmea::Pney1;
 use crate::time::Stamp;
 use crate::units::Radius;
 use alloc::string::{String, ToString};
@@ -13,64 +14,40 @@ use alloc::string::{String, ToString};
 const PROOFS: usize = 3;
 const PROOF_WINDOW_MS: u64 = 5_000;
 
-/// What the chart system asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wanted {
-    /// Remote heading control.
-    Tn,
-    /// Track control.
-    Ti,
+/// The mode that a command asks for; absent where it asks for no control.
+pub(super) const fn mode_of(command: Remote) -> Option<ModeName> {
+    match command {
+        Remote::Heading { .. } => Some(ModeName::AutonavTn),
+        Remote::Track { .. } => Some(ModeName::AutonavTi),
+        Remote::Override | Remote::Stop(_) => None,
+    }
 }
 
-impl Wanted {
-    /// What a command asks for; absent where it asks for no control.
-    pub(super) const fn of(command: Remote) -> Option<Self> {
-        match command {
-            Remote::Heading { .. } => Some(Self::Tn),
-            Remote::Track { .. } => Some(Self::Ti),
-            Remote::Override | Remote::Stop(_) => None,
-        }
-    }
-
-    /// Its mode.
-    pub(super) const fn mode(self) -> ModeName {
-        match self {
-            Self::Tn => ModeName::AutonavTn,
-            Self::Ti => ModeName::AutonavTi,
-        }
-    }
-
-    /// What steers, in an officer's words.
-    pub(super) const fn why(self) -> &'static str {
-        match self {
-            Self::Tn => "heading controlled by the chart system",
-            Self::Ti => "track controlled by the chart system",
-        }
+/// Why such a mode is on.
+pub(super) const fn why_of(mode: ModeName) -> &'static str {
+    match mode {
+        ModeName::AutonavTn => "heading controlled by the chart system",
+        _ => "track controlled by the chart system",
     }
 }
 
 impl Autopilot {
     /// The operator's half of the selection.
     pub(super) fn request_autonav(&mut self, now: Stamp) -> Result<String, Refusal> {
-        let refuse = |text: &str| Err(Refusal::because(text.to_string()));
         if self.mode.is_autonav() {
-            return refuse("AutoNAV is active already");
+            return Err(Refusal::because("AutoNAV is active already"));
         }
-        if !self.settings.external_tcs {
-            return refuse("AutoNAV is not enabled at installation");
-        }
-        if !matches!(self.mode, Mode::Auto { .. }) {
-            return refuse("AutoNAV is selected from AUTO only");
-        }
-        if self.override_heard(now) {
-            return refuse("override is in use");
-        }
-        if self.in_foreign_turn(now) {
-            return refuse("not in the middle of a turn: the leg before it is unknown");
-        }
-        self.pending = Some(now + CONFIRM_MS);
+        self.can_enter(now, self.pending_mode(now))?;
+        self.mode.select(Some(now + CONFIRM_MS));
         self.why = "AutoNAV selected".into();
         Ok(self.waits_for(now))
+    }
+
+    /// Whether a mode may be selected now, or why not.
+    pub(super) fn can_enter(&self, now: Stamp, mode: ModeName) -> Result<(), Refusal> {
+        let entry = modes::row(mode).map_or(&[][..], |row| row.entry);
+        let lacks = entry.iter().find(|need| !self.has(now, **need, mode));
+        lacks.map_or(Ok(()), |need| Err(Refusal::because(need.missing())))
     }
 
     /// What a pending selection still waits for, in an officer's words.
@@ -88,21 +65,21 @@ impl Autopilot {
     /// What a pending selection will be; Ti until the chart system has said.
     #[must_use]
     pub fn pending_mode(&self, now: Stamp) -> ModeName {
-        self.wanted(now).unwrap_or(Wanted::Ti).mode()
+        self.wanted(now).unwrap_or(ModeName::AutonavTi)
     }
 
     /// Engages a pending selection as soon as both sides agree, or lets it lapse.
     pub(super) fn try_engage(&mut self, now: Stamp) {
-        let Some(until) = self.pending else {
+        let Some(until) = self.mode.selected_until() else {
             return;
         };
         if now >= until {
             self.why = alloc::format!("AutoNAV not confirmed within 20 s: {}", self.waits_for(now));
-            self.pending = None;
+            self.mode.select(None);
             return;
         }
-        if self.in_foreign_turn(now) {
-            self.pending = None;
+        if !self.has(now, Need::LegKnown, self.pending_mode(now)) {
+            self.mode.select(None);
             self.why = "AutoNAV refused: not in the middle of a turn".into();
             return;
         }
@@ -119,9 +96,8 @@ impl Autopilot {
             return;
         };
         if let Some(event) = self.engagement(now, wanted) {
-            self.pending = None;
             self.alerts.rectify(now, Alert::TrackFail);
-            self.engage(now, &event, wanted.why());
+            self.engage(now, &event, why_of(wanted));
         }
     }
 
@@ -134,81 +110,71 @@ impl Autopilot {
         }
     }
 
-    pub(super) fn wanted(&self, now: Stamp) -> Option<Wanted> {
-        Wanted::of(self.remote.command(now, self.fail_ms())?)
+    pub(super) fn wanted(&self, now: Stamp) -> Option<ModeName> {
+        mode_of(self.remote.command(now, self.fail_ms())?)
     }
 
-    pub(super) fn override_heard(&self, now: Stamp) -> bool {
+    fn override_heard(&self, now: Stamp) -> bool {
         self.remote.command(now, self.fail_ms()) == Some(Remote::Override)
     }
 
-    /// Situations 3 and 4 cannot be entered (AP-6).
-    fn in_foreign_turn(&self, now: Stamp) -> bool {
-        self.commanded_radius(now).is_some()
+    /// AP-7: the first thing that is missing.
+    pub(super) fn missing(&self, now: Stamp, mode: ModeName) -> Option<&'static str> {
+        let needs = modes::row(mode).map_or(&[][..], |row| row.needs);
+        let lacks = needs.iter().find(|need| !self.has(now, **need, mode));
+        lacks.map(|need| need.missing())
     }
 
-    /// AP-7: the first thing that is missing.
-    pub(super) fn missing(&self, now: Stamp, wanted: Wanted) -> Option<&'static str> {
+    /// Whether a need of a mode is met, at its selection and at every command that is followed.
+    fn has(&self, now: Stamp, need: Need, mode: ModeName) -> bool {
         let picture = &self.post.picture;
-        if self.heading.is_none() {
-            return Some("no heading");
-        }
-        if self.fresh(picture.ground(now), Quantity::Ground).is_none()
-            && self
-                .fresh(picture.water_speed(now), Quantity::WaterSpeed)
-                .is_none()
-        {
-            return Some("no measured speed");
-        }
-        if self.wanted(now) != Some(wanted) {
-            return Some("no valid HTC");
-        }
-        if wanted == Wanted::Tn {
-            return None;
-        }
-        if !self.steering.settings().known {
-            return Some("the ship's constants are not given: no track control (AP-20)");
-        }
-        if self.position_guard.dead_reckoning(now).is_none()
-            || self.fresh(picture.fix(now), Quantity::Position).is_none()
-        {
-            return Some("no position");
-        }
-        // AP-7: fresh and with status A.
-        let xte = picture.xte.as_ref().filter(|xte| xte.not_valid.is_none());
-        let pney1 = picture
-            .pney1
-            .as_ref()
-            .filter(|pney1| pney1.not_valid.is_none());
-        if self.fresh(xte, Quantity::Control).is_none() {
-            return Some("no valid XTE");
-        }
-        match self.fresh(pney1, Quantity::Control) {
-            None => return Some("no valid PNEY,001"),
-            Some(pney1) if pney1.cross_track.is_none() => {
-                return Some("PNEY,001 has no distance: no leg");
+        match need {
+            Need::Enabled => self.settings.external_tcs,
+            Need::InAuto => matches!(self.mode, Mode::Auto(_)),
+            Need::NoOverride => !self.override_heard(now),
+            Need::LegKnown => self.commanded_radius(now).is_none(),
+            Need::Heading => self.heading.is_some(),
+            Need::MeasuredSpeed => {
+                let ground = self.fresh(picture.ground(now), Quantity::Ground);
+                let water = self.fresh(picture.water_speed(now), Quantity::WaterSpeed);
+                ground.is_some() || water.is_some()
             }
-            Some(_) => {}
+            Need::Command => self.wanted(now) == Some(mode),
+            Need::ShipConstants => self.steering.settings().known,
+            Need::Position => {
+                self.position_guard.dead_reckoning(now).is_some()
+                    && self.fresh(picture.fix(now), Quantity::Position).is_some()
+            }
+            Need::CrossTrack => {
+                let valid = picture.xte.as_ref().filter(|xte| xte.not_valid.is_none());
+                self.fresh(valid, Quantity::Control).is_some()
+            }
+            Need::ControlDistance => self.pney1().is_some(),
+            Need::Leg => self.pney1().is_some_and(|said| said.cross_track.is_some()),
+            Need::Centre => {
+                let said = picture.pney2.as_ref();
+                self.fresh(said, Quantity::Control).is_some()
+            }
+            Need::OnePosition => self.positions_agree().is_ok(),
+            // Watched from when the mode is entered: what disagrees then is not followed.
+            Need::Agreement => true,
         }
-        if self
-            .fresh(picture.pney2.as_ref(), Quantity::Control)
-            .is_none()
-        {
-            return Some("no valid PNEY,002");
-        }
-        if self.positions_agree().is_err() {
-            return Some("own and the chart system's position are too far apart");
-        }
-        None
+    }
+
+    /// PNEY,001, fresh and with status A.
+    fn pney1(&self) -> Option<Pney1> {
+        let said = self.post.picture.pney1.as_ref();
+        let valid = said.filter(|said| said.not_valid.is_none());
+        self.fresh(valid, Quantity::Control)
     }
 
     /// The transition to what the chart system asks for.
-    pub(super) fn engagement(&self, now: Stamp, wanted: Wanted) -> Option<Event> {
+    pub(super) fn engagement(&self, now: Stamp, wanted: ModeName) -> Option<Event> {
         match (wanted, self.remote.command(now, self.fail_ms())?) {
-            (Wanted::Tn, Remote::Heading { hts, track, rate }) => {
+            (ModeName::AutonavTn, Remote::Heading { hts, track, rate }) => {
                 Some(Event::EngageTn { hts, track, rate })
             }
-            (Wanted::Ti, Remote::Track { track, .. }) => Some(Event::EngageTi {
+            (ModeName::AutonavTi, Remote::Track { track, .. }) => Some(Event::EngageTi {
                 path: self.leg_line(track)?,
                 radius: Radius::from_nm(self.settings.set_radius),
             }),

@@ -25,18 +25,14 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
             waits_for: autopilot.waits_for(now),
         }),
         set_heading: match autopilot.mode() {
-            Mode::Auto { set, .. } => Some(set.deg()),
+            Mode::Auto(auto) => Some(auto.set.deg()),
             _ => None,
         },
         hts: autopilot.hts().map(Heading::deg),
         set_rate: settings.set_rate,
         set_radius: settings.set_radius,
         by_radius: settings.steering_by == SteeringBy::Radius,
-        rudder_limit: if autopilot.mode().is_autonav() {
-            settings.rudder_max
-        } else {
-            settings.rudder_limit
-        },
+        rudder_limit: autopilot.rudder_limit(),
         rudder_order: autopilot.rudder_order().map(RudderAngle::deg),
         cross_track: steered
             .and_then(|steered| steered.cross_track)

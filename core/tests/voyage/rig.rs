@@ -324,7 +324,7 @@ impl Rig {
     /// Set heading of AUTO, degrees.
     pub(crate) fn set_heading(&self) -> f64 {
         match self.autopilot.mode() {
-            Mode::Auto { set, .. } => set.deg(),
+            Mode::Auto(auto) => auto.set.deg(),
             other => panic!("not AUTO: {other:?}"),
         }
     }

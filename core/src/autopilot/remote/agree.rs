@@ -42,10 +42,10 @@ const SAME_TURN_M: f64 = 50.0;
 impl Autopilot {
     /// Lays the path anew as it is commanded now, or says what does not agree.
     pub(super) fn agree(&mut self, now: Stamp) -> Result<(), String> {
-        let Mode::AutonavTi { path, track, .. } = &self.mode else {
+        let Mode::AutonavTi(ti) = &self.mode else {
             return Ok(());
         };
-        let (path, track) = (*path, *track);
+        let (path, track) = (ti.path, ti.track);
         let Some(command::Remote::Track {
             track: commanded,
             radius,
@@ -76,16 +76,11 @@ impl Autopilot {
         self.remote.agreed = now;
         let centred = radius.is_none() || self.centre().is_some();
         self.remote.makeshift = (!centred).then(|| NO_CENTRE.into());
-        if let Mode::AutonavTi {
-            path,
-            radius: accepted,
-            track,
-        } = &mut self.mode
-        {
-            *path = next;
-            *track = commanded;
+        if let Mode::AutonavTi(ti) = &mut self.mode {
+            ti.path = next;
+            ti.track = commanded;
             if let Some(turn) = next.turn {
-                *accepted = radius.or(Some(turn.radius));
+                ti.radius = radius.or(Some(turn.radius));
             }
         }
         Ok(())

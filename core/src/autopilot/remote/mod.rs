@@ -8,8 +8,8 @@ mod agree;
 mod place;
 mod supervise;
 
-use super::modes::{Cause, Event};
-use super::selection::Wanted;
+use super::modes::{AutonavTn, Cause, Event};
+use super::selection::{mode_of, why_of};
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
 use crate::command::{self, Refusal};
@@ -146,7 +146,7 @@ impl Autopilot {
             Err(refusal) => {
                 self.remote.proofs.clear();
                 let text = format!("HTC refused: {refusal}");
-                if self.pending.is_some() || self.mode.is_autonav() {
+                if self.mode.selected_until().is_some() || self.mode.is_autonav() {
                     self.why.clone_from(&text);
                 }
                 self.remote.refusal = Some((text, now));
@@ -251,10 +251,10 @@ impl Autopilot {
 
     /// A single heading to steer that jumps is a glitch; said twice it is meant.
     fn accept_step(&mut self, hts: Heading, rate: Option<RateOfTurn>) -> Result<(), Refusal> {
-        let Mode::AutonavTn { hts: last, .. } = &self.mode else {
+        let Mode::AutonavTn(tn) = &self.mode else {
             return Ok(());
         };
-        let step = (hts - *last).abs().deg();
+        let step = (hts - tn.hts).abs().deg();
         let said_before = self
             .remote
             .stepped
@@ -273,11 +273,10 @@ impl Autopilot {
     /// HTC-1: STANDBY within one tick, and no way back but the operator's.
     fn override_reported(&mut self, now: Stamp) {
         self.remote.proofs.clear();
-        if self.mode == Mode::Standby {
+        if self.mode == Mode::STANDBY {
             return;
         }
         self.alerts.raise(now, Alert::Override, "");
-        self.pending = None;
         self.apply(
             now,
             &Event::Override,
@@ -287,46 +286,36 @@ impl Autopilot {
 
     /// TCS-6: Tn and Ti may be switched without leaving AutoNAV.
     fn follow(&mut self, now: Stamp, command: command::Remote) {
-        let Some(wanted) = Wanted::of(command) else {
+        let Some(wanted) = mode_of(command) else {
             return;
         };
-        let engaged = match &self.mode {
-            Mode::AutonavTn { .. } => Wanted::Tn,
-            Mode::AutonavTi { .. } => Wanted::Ti,
-            _ => {
-                if self.pending.is_none() && self.missing(now, wanted).is_none() {
-                    self.why = "the chart system offers control: select AutoNAV".into();
-                }
-                return;
+        if !self.mode.is_autonav() {
+            let selected = self.mode.selected_until().is_some();
+            if !selected && self.missing(now, wanted).is_none() {
+                self.why = "the chart system offers control: select AutoNAV".into();
             }
-        };
+            return;
+        }
         if let Some(missing) = self.missing(now, wanted) {
             self.remote.refusal = Some((format!("HTC not followed: {missing}"), now));
             self.why = format!("HTC not followed: {missing}");
             return;
         }
-        if engaged != wanted {
+        if self.mode.name() != wanted {
             if let Some(event) = self.engagement(now, wanted) {
                 self.engage(now, &event, "switched by the chart system");
             }
             return;
         }
         if self.why.starts_with("HTC ") {
-            self.why = wanted.why().into(); // what was refused is obeyed again
+            self.why = why_of(wanted).into(); // what was refused is obeyed again
         }
         match (&mut self.mode, command) {
-            (
-                Mode::AutonavTn { hts, track, rate },
-                command::Remote::Heading {
-                    hts: new_hts,
-                    track: new_track,
-                    rate: new_rate,
-                },
-            ) => {
-                (*hts, *track, *rate) = (new_hts, new_track, new_rate);
+            (Mode::AutonavTn(tn), command::Remote::Heading { hts, track, rate }) => {
+                *tn = AutonavTn { hts, track, rate };
                 self.remote.agreed = now;
             }
-            (Mode::AutonavTi { .. }, command::Remote::Track { radius, .. }) => {
+            (Mode::AutonavTi(_), command::Remote::Track { radius, .. }) => {
                 self.remote.straight = match radius {
                     Some(_) => 0,
                     None => self.remote.straight.saturating_add(1),
@@ -349,7 +338,6 @@ impl Autopilot {
     /// TCS-9, TCS-10: the chart system commands another mode.
     fn stopped(&mut self, now: Stamp, mode: SteeringMode) {
         if mode == SteeringMode::StandAlone {
-            self.stop_cause_until = Some(now + supervise::STOP_CAUSE_MS);
             self.track_fail(now, Cause::StandAlone, "stopped by chart system");
             self.name_stop(now);
         } else {

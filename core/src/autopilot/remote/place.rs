@@ -126,10 +126,10 @@ impl Autopilot {
 
     /// A turn that was commanded but never laid is finished from leg, radius and the time of wheel-over (TCS-8).
     pub(super) fn lay_the_lost_turn(&mut self, now: Stamp) {
-        let Mode::AutonavTi { path, .. } = &self.mode else {
+        let Mode::AutonavTi(ti) = &self.mode else {
             return;
         };
-        let (path, fail) = (*path, self.fail_ms() + 1_000);
+        let (path, fail) = (ti.path, self.fail_ms() + 1_000);
         let Some(command::Remote::Track {
             track,
             radius: Some(radius),
@@ -142,17 +142,9 @@ impl Autopilot {
             return;
         }
         let laid = self.turn_without_centre(&path, track, radius);
-        if let (
-            Some(turn),
-            Mode::AutonavTi {
-                path,
-                track: accepted,
-                ..
-            },
-        ) = (laid, &mut self.mode)
-        {
-            *path = turn;
-            *accepted = track;
+        if let (Some(turn), Mode::AutonavTi(ti)) = (laid, &mut self.mode) {
+            ti.path = turn;
+            ti.track = track;
         }
     }
 
@@ -180,14 +172,9 @@ impl Autopilot {
     /// Lays the local plane anew where the ship is: at once outside track control, on very long legs in it.
     pub(in super::super) fn recentre(&mut self) {
         let metres = match &self.mode {
-            Mode::Auto {
-                finish: Some(_), ..
-            }
-            | Mode::AutonavTi {
-                path: Path { turn: Some(_), .. },
-                ..
-            } => return,
-            Mode::AutonavTi { .. } => 60_000.0,
+            Mode::Auto(auto) if auto.finish.is_some() => return,
+            Mode::AutonavTi(ti) if ti.path.turn.is_some() => return,
+            Mode::AutonavTi(_) => 60_000.0,
             _ => 10_000.0,
         };
         let Some(old) = self.position_guard.recentre(metres) else {
@@ -197,8 +184,8 @@ impl Autopilot {
             return;
         };
         let carry = |point: Point| new.point(old.position(point));
-        if let Mode::AutonavTi { path, .. } = &mut self.mode {
-            path.point = carry(path.point);
+        if let Mode::AutonavTi(ti) = &mut self.mode {
+            ti.path.point = carry(ti.path.point);
         }
         if let Some((_, point)) = &mut self.remote.leg {
             *point = carry(*point);

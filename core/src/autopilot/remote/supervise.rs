@@ -1,6 +1,6 @@
 //! The ages of what the chart system says, TRACK FAIL, and what it calls itself (TCS-8 to TCS-10).
 
-use super::super::modes::{Cause, Event};
+use super::super::modes::{Auto, Cause, Event, Lost, Need, OnLoss};
 use super::super::{Autopilot, Mode};
 use crate::alerts::{Alert, Standing, State};
 use crate::facts::Quantity;
@@ -9,8 +9,6 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-/// A stop is the end of the route if the cross-track distances vanish within this time (TCS-10).
-pub(super) const STOP_CAUSE_MS: u64 = 1_500;
 /// Sentences that fail within so long of each other failed together, seconds.
 const TOGETHER_S: f64 = 1.2;
 /// A sentence that came spoilt within this time comes still, milliseconds.
@@ -38,8 +36,6 @@ impl Autopilot {
             self.alerts.rectify(now, Alert::TrackDataLate);
             self.alerts.rectify(now, Alert::TrackDataRefused);
             self.alerts.rectify(now, Alert::OffTrack);
-            self.captured = false;
-            self.off_track_since = None;
             return;
         }
         let disagreement = self.agree(now).err();
@@ -72,7 +68,8 @@ impl Autopilot {
 
     /// TRACK FAIL where the chart system controls and something that is followed is too old; whether it did.
     pub(in super::super) fn fail_if_old(&mut self, now: Stamp) -> bool {
-        if !self.mode.is_autonav() || self.oldest(now).age < self.settings.track_fail {
+        let fails = self.mode.row().on_loss == OnLoss::TrackFail;
+        if !fails || self.oldest(now).age < self.settings.track_fail {
             return false;
         }
         let silent = self.names(now, self.settings.track_fail - TOGETHER_S);
@@ -88,11 +85,12 @@ impl Autopilot {
     /// The names of everything older than `seconds`, in an officer's words.
     fn names(&self, now: Stamp, seconds: f64) -> String {
         let followed = self.followed(now);
-        let old: Vec<&str> = followed
+        let mut old: Vec<&str> = followed
             .iter()
             .filter(|item| item.age >= seconds && item.name != "agreement")
             .map(|item| item.name)
             .collect();
+        old.sort_by_key(|name| *name == "position"); // sentences first
         let sentences = ["HTC", "XTE", "PNEY,001", "PNEY,002"];
         if old.is_empty() {
             "agreement".into()
@@ -123,32 +121,42 @@ impl Autopilot {
         )
     }
 
-    /// What is followed. In Tn only HTC is supervised.
+    /// What the mode needs and is watched, with its age. In Tn only HTC is supervised.
     fn followed(&self, now: Stamp) -> Vec<Followed> {
-        let item = |name, at: Option<Stamp>| Followed {
-            name,
-            age: at.map_or(f64::MAX, |at| now.since(at) as f64 / 1000.0),
-        };
-        let heard = Some(self.remote_heard().min(now));
-        let mut list = alloc::vec![
-            item("HTC", heard),
-            item("agreement", Some(self.remote.agreed)),
-        ];
-        if matches!(self.mode, Mode::AutonavTi { .. }) {
-            let picture = &self.post.picture;
-            list.extend([
-                item("XTE", picture.xte.as_ref().map(|heard| heard.at)),
-                item("PNEY,001", picture.pney1.as_ref().map(|heard| heard.at)),
-                item("PNEY,002", picture.pney2.as_ref().map(|heard| heard.at)),
-                item("position", picture.fixes.iter().map(|fix| fix.at).max()),
-            ]);
+        let needs = self.mode.row().needs.iter();
+        needs
+            .filter_map(|need| match need.lost() {
+                Lost::Watched(name) => Some(Followed {
+                    name,
+                    age: (self.last(now, *need))
+                        .map_or(f64::MAX, |at| now.since(at) as f64 / 1000.0),
+                }),
+                Lost::AtEntry | Lost::RudderHold | Lost::NotFollowed => None,
+            })
+            .collect()
+    }
+
+    /// When a watched need was last met.
+    fn last(&self, now: Stamp, need: Need) -> Option<Stamp> {
+        let picture = &self.post.picture;
+        match need {
+            Need::Command => Some(self.remote_heard().min(now)),
+            Need::Agreement => Some(self.remote.agreed),
+            Need::CrossTrack => picture.xte.as_ref().map(|heard| heard.at),
+            Need::ControlDistance => picture.pney1.as_ref().map(|heard| heard.at),
+            Need::Centre => picture.pney2.as_ref().map(|heard| heard.at),
+            Need::Position => picture.fixes.iter().map(|fix| fix.at).max(),
+            _ => Some(now),
         }
-        list
     }
 
     /// TCS-10: without distances the stop was the end of the route.
     pub(super) fn name_stop(&mut self, now: Stamp) {
-        let Some(until) = self.stop_cause_until else {
+        let Mode::Auto(Auto {
+            stop_cause_until: Some(until),
+            ..
+        }) = self.mode
+        else {
             return;
         };
         let xte = self.fresh(self.post.picture.xte.as_ref(), Quantity::Control);
@@ -159,8 +167,8 @@ impl Autopilot {
             self.why = "end of route".into();
             self.alerts.retext(Alert::TrackFail, "end of route");
         }
-        if ended || now >= until {
-            self.stop_cause_until = None;
+        if let (Mode::Auto(auto), true) = (&mut self.mode, ended || now >= until) {
+            auto.stop_cause_until = None;
         }
     }
 
@@ -184,13 +192,11 @@ impl Autopilot {
     #[must_use]
     pub fn text_of(&self, standing: &Standing) -> String {
         let steering = match &self.mode {
-            Mode::Auto {
-                finish: Some(_), ..
-            } => "AUTO finishes the turn, SWITCH TO AUTO",
-            Mode::Auto { .. } => "AUTO steers, SWITCH TO AUTO",
-            Mode::RudderHold { .. } => "rudder held, steer by hand",
-            Mode::Standby => "STANDBY, steer by hand",
-            Mode::AutonavTi { .. } | Mode::AutonavTn { .. } => "",
+            Mode::Auto(auto) if auto.finish.is_some() => "AUTO finishes the turn, SWITCH TO AUTO",
+            Mode::Auto(_) => "AUTO steers, SWITCH TO AUTO",
+            Mode::RudderHold(_) => "rudder held, steer by hand",
+            Mode::Standby(_) => "STANDBY, steer by hand",
+            Mode::AutonavTi(_) | Mode::AutonavTn(_) => "",
         };
         let text = standing.text();
         let over = standing.state == State::RectifiedUnacknowledged;
@@ -212,14 +218,18 @@ impl Autopilot {
         let off = (self.steered.as_ref())
             .and_then(|steered| steered.cross_track)
             .map(|off| libm::fabs(off.m()));
+        let Mode::AutonavTi(ti) = &mut self.mode else {
+            self.alerts.rectify(now, Alert::OffTrack);
+            return;
+        };
         let outside = off.is_some_and(|off| off > limit);
-        self.captured |= off.is_some_and(|off| off < 0.5 * limit);
-        if !outside || !self.captured {
-            self.off_track_since = None;
+        ti.captured |= off.is_some_and(|off| off < 0.5 * limit);
+        if !outside || !ti.captured {
+            ti.off_track_since = None;
             self.alerts.rectify(now, Alert::OffTrack);
             return;
         }
-        let since = *self.off_track_since.get_or_insert(now);
+        let since = *ti.off_track_since.get_or_insert(now);
         if now.since(since) >= OFF_TRACK_MS {
             let text = format!(
                 "{:.0} m off the track, the limit is {limit:.0} m: check track and speed",

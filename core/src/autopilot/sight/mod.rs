@@ -8,7 +8,7 @@ mod rate;
 mod source;
 mod speed;
 
-use super::modes::{Cause, Event};
+use super::modes::{Cause, Event, Need};
 use super::steering::Measured;
 use super::{Autopilot, Mode};
 use crate::alerts::Alert;
@@ -72,7 +72,7 @@ impl Autopilot {
             .collect();
         let heard = !readings.is_empty();
         let (before, source) = (self.heading, self.compasses.in_use().cloned());
-        let free = self.mode == Mode::Standby;
+        let free = !self.mode.row().gives_orders();
         let jump = self.settings.heading_jump;
         self.heading = self.compasses.look(now, &readings, turning, jump, free);
         let changed = source.is_some() && self.compasses.in_use() != source.as_ref();
@@ -86,21 +86,16 @@ impl Autopilot {
             self.steering.another_compass(after - before);
         }
         self.say_what_compasses_do(now);
-        if self.heading.is_none()
-            && !self.recovers(now)
-            && self.mode != Mode::Standby
-            && !matches!(self.mode, Mode::RudderHold { .. })
-        {
+        if self.heading.is_none() && !self.recovers(now) && self.mode.row().needs(Need::Heading) {
             let why = if heard {
                 "the heading jumped"
             } else {
                 "no heading for 2 s"
             };
             self.alerts.raise(now, Alert::HeadingLost, "");
-            self.pending = None;
             self.apply(now, &Event::HeadingLost, &format!("{why}: rudder held"));
         }
-        if self.heading.is_some() && !matches!(self.mode, Mode::RudderHold { .. }) {
+        if self.heading.is_some() && !matches!(self.mode, Mode::RudderHold(_)) {
             self.alerts.rectify(now, Alert::HeadingLost);
         }
         let unknown = !self.steering.settings().known;
@@ -161,7 +156,7 @@ impl Autopilot {
                 at: heard.at,
             })
             .collect();
-        let (step, free) = (self.settings.position_jump, self.mode == Mode::Standby);
+        let (step, free) = (self.settings.position_jump, !self.mode.row().gives_orders());
         let judged = self.position_guard.judge(now, &said, step, free);
         if let (Some(by), Some(offset)) = (judged.moved, &mut self.remote.offset) {
             // The chart system's places have not moved with the plane.
@@ -182,7 +177,7 @@ impl Autopilot {
         let used = self.fix_in_use().map(|heard| heard.value.corrected());
         let plain = self.mode.is_autonav() && used == Some(false);
         self.alerts.set(now, Alert::NoDifferential, plain, "");
-        if judged.jumped && matches!(self.mode, Mode::AutonavTi { .. }) {
+        if judged.jumped && matches!(self.mode, Mode::AutonavTi(_)) {
             self.track_fail(now, Cause::PositionJump, "the position jumped");
         }
         self.recentre();
@@ -196,7 +191,7 @@ impl Autopilot {
         let water = self.fresh(picture.water_speed(now), Quantity::WaterSpeed);
         let ground = self.fresh(picture.ground(now), Quantity::Ground);
         let minimum = Speed::from_knots(self.settings.minimum_speed);
-        let free = self.mode == Mode::Standby;
+        let free = !self.mode.row().gives_orders();
         let ground = ground.map(|ground| ground.speed);
         self.speed_guard.look(now, water, ground, minimum, free);
         let lost = self.speed_guard.measured().is_none() && !free;
@@ -243,7 +238,7 @@ impl Autopilot {
             of(ground.map(|heard| &heard.source)),
             of(water.map(|heard| &heard.source)),
         ];
-        let free = self.mode == Mode::Standby;
+        let free = !self.mode.row().gives_orders();
         for (index, used) in now_used.into_iter().enumerate() {
             self.preferred[index].watch(now, used, free);
         }

@@ -1,0 +1,257 @@
+//! `docs/modes.md`: modes, needs, losses and transitions, made from the code that decides them.
+
+use super::auto::{Auto, Finish};
+use super::autonav_ti::AutonavTi;
+use super::autonav_tn::AutonavTn;
+use super::event::{Cause, Event};
+use super::mode::{Mode, TABLE};
+use super::need::{Lost, Need};
+use super::rudder_hold::RudderHold;
+use super::state::Facts;
+use super::table::{Limit, OnLoss, Row};
+use crate::autopilot::steering::TurnBy;
+use crate::geo::Point;
+use crate::path::Path;
+use crate::settings::Settings;
+use crate::time::Stamp;
+use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle};
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+/// The document of the modes.
+#[must_use]
+pub fn document() -> String {
+    [
+        "# The modes\n\nMade from the tables and the transitions in `core/src/autopilot/modes`; a test compares.\n".into(),
+        modes(),
+        needs(),
+        transitions(),
+    ]
+    .join("\n")
+}
+
+fn table(head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let head: Vec<String> = head.iter().map(|cell| (*cell).to_string()).collect();
+    let mut text = line(&head) + &format!("|{}\n", "---|".repeat(head.len()));
+    for row in rows {
+        text += &line(&row);
+    }
+    text
+}
+
+fn list(needs: &[Need]) -> String {
+    let names: Vec<String> = needs.iter().map(|need| format!("{need:?}")).collect();
+    if names.is_empty() {
+        "–".into()
+    } else {
+        names.join(", ")
+    }
+}
+
+fn modes() -> String {
+    let head = [
+        "mode",
+        "what it does",
+        "refused at once without",
+        "needs",
+        "a watched need is lost",
+        "rudder limit",
+        "HTD mode",
+    ];
+    let row = |row: &Row| {
+        let lost = match row.on_loss {
+            OnLoss::Nothing => "–",
+            OnLoss::RudderHold => "RUDDER HOLD",
+            OnLoss::TrackFail => "TRACK FAIL, AUTO",
+        };
+        let limit = match row.limit {
+            Limit::NoOrders => "no orders",
+            Limit::Set => "`rudder_limit`",
+            Limit::Max => "`rudder_max`",
+        };
+        alloc::vec![
+            row.title.to_string(),
+            row.what.to_string(),
+            list(row.entry),
+            list(row.needs),
+            lost.to_string(),
+            limit.to_string(),
+            format!("{:?}", row.htd),
+        ]
+    };
+    let text = "## Modes\n\nA selection waits for what a mode needs, for 20 s; then it lapses.\n\n";
+    text.to_string() + &table(&head, TABLE.iter().map(row))
+}
+
+fn needs() -> String {
+    let head = [
+        "need",
+        "what it is",
+        "an officer is told",
+        "lost in the mode",
+    ];
+    let row = |need: &Need| {
+        let lost = match need.lost() {
+            Lost::AtEntry => "asked for at the selection only".to_string(),
+            Lost::RudderHold => "the rudder is held, alarm".to_string(),
+            Lost::NotFollowed => "the next command is not followed, caution".to_string(),
+            Lost::Watched(_) if *need == Need::Agreement => {
+                "what does not agree is said at once, TRACK FAIL with it after `track_fail`"
+                    .to_string()
+            }
+            Lost::Watched(name) => format!(
+                "“{name} late” after `track_caution`, TRACK FAIL “{name} missing” after `track_fail`"
+            ),
+        };
+        alloc::vec![
+            format!("{need:?}"),
+            need.what().to_string(),
+            need.missing().to_string(),
+            lost,
+        ]
+    };
+    "## Needs\n\n".to_string() + &table(&head, Need::ALL.iter().map(row))
+}
+
+/// What the table of the transitions is made from: one state for each way in which a mode can go on.
+fn states() -> Vec<(&'static str, Mode)> {
+    let heading = Heading::from_deg(0.0);
+    let (north, east) = (Course::from_deg(0.0), Course::from_deg(90.0));
+    let radius = Radius::from_nm(1.0);
+    let centre = Point {
+        north: 3_000.0,
+        east: radius.m(),
+    };
+    let tn = |rate| {
+        Mode::AutonavTn(AutonavTn {
+            hts: heading,
+            track: north,
+            rate,
+        })
+    };
+    let leg = Path::leg(Point::default(), north);
+    let turn = Path::turn(north, centre, radius, east);
+    // The ship of the facts stands at the origin: before the first arc, in the second.
+    let here = Path::turn(
+        north,
+        Point {
+            north: -500.0,
+            ..centre
+        },
+        radius,
+        east,
+    );
+    let finish = Finish {
+        by: TurnBy::Radius(radius),
+        wait: None,
+    };
+    alloc::vec![
+        ("STANDBY", Mode::STANDBY),
+        ("AUTO", Mode::Auto(Auto::on(heading))),
+        (
+            "AUTO that finishes a turn",
+            Mode::Auto(Auto::finishing(heading, finish)),
+        ),
+        ("AutoNAV Tn on a leg", tn(None)),
+        (
+            "AutoNAV Tn in a turn",
+            tn(Some(RateOfTurn::from_deg_per_min(20.0))),
+        ),
+        (
+            "AutoNAV Ti on a leg",
+            Mode::AutonavTi(AutonavTi::on(leg, None)),
+        ),
+        (
+            "AutoNAV Ti before the arc",
+            Mode::AutonavTi(AutonavTi::on(turn, None)),
+        ),
+        (
+            "AutoNAV Ti in the arc",
+            Mode::AutonavTi(AutonavTi::on(here, None)),
+        ),
+        (
+            "RUDDER HOLD",
+            Mode::RudderHold(RudderHold {
+                order: RudderAngle::from_deg(0.0),
+            }),
+        ),
+    ]
+}
+
+fn events() -> Vec<(&'static str, Event)> {
+    let north = Course::from_deg(0.0);
+    alloc::vec![
+        ("STANDBY", Event::Standby),
+        ("override", Event::Override),
+        ("AUTO", Event::Auto),
+        ("heading set", Event::SetHeading(Heading::from_deg(30.0))),
+        (
+            "Tn agreed",
+            Event::EngageTn {
+                hts: Heading::from_deg(0.0),
+                track: north,
+                rate: None,
+            },
+        ),
+        (
+            "Ti agreed",
+            Event::EngageTi {
+                path: Path::leg(Point::default(), north),
+                radius: Radius::from_nm(1.0),
+            },
+        ),
+        (
+            "something missing",
+            Event::TrackFail(Cause::Missing(String::new())),
+        ),
+        ("HTC says S", Event::TrackFail(Cause::StandAlone)),
+        ("heading lost", Event::HeadingLost),
+    ]
+}
+
+fn transitions() -> String {
+    let facts = Facts {
+        now: Stamp(0),
+        heading: Heading::from_deg(10.0),
+        order: RudderAngle::from_deg(0.0),
+        place: Some(Point::default()),
+        steered: None,
+        settings: Settings::default(),
+    };
+    let events = events();
+    let mut head = alloc::vec!["in"];
+    head.extend(events.iter().map(|(name, _)| *name));
+    let rows = states().into_iter().map(|(name, state)| {
+        let mut row = alloc::vec![name.to_string()];
+        row.extend(events.iter().map(|(_, event)| {
+            let next = state.next(event, &facts);
+            if next == state {
+                "–".to_string()
+            } else {
+                described(&next, &facts)
+            }
+        }));
+        row
+    });
+    let text = "## Transitions\n\nWhat each event makes of a mode; – is no change. “Agreed”: the operator has selected AutoNAV, or the chart\nsystem switches between Tn and Ti, and everything that is needed is there. A lost turn is finished by its last commanded radius or rate.\n\n";
+    text.to_string() + &table(&head, rows)
+}
+
+fn described(mode: &Mode, facts: &Facts) -> String {
+    let how = match mode {
+        Mode::Auto(Auto {
+            finish: Some(Finish { wait: Some(_), .. }),
+            ..
+        }) => ": the leg up to the arc, then the turn is finished",
+        Mode::Auto(Auto {
+            finish: Some(_), ..
+        }) => ": the turn is finished",
+        Mode::Auto(auto) if auto.set == facts.heading => " on the actual heading",
+        Mode::Auto(auto) if auto.stop_cause_until.is_some() => " on the last heading to steer",
+        Mode::Auto(_) => " on the set heading",
+        _ => "",
+    };
+    format!("{}{how}", mode.title())
+}

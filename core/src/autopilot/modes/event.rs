@@ -1,0 +1,52 @@
+//! What changes a mode.
+
+use crate::path::Path;
+use crate::units::{Course, Heading, Radius, RateOfTurn};
+use alloc::string::String;
+use serde::{Deserialize, Serialize};
+
+/// Why control by the chart system ended.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(in super::super) enum Cause {
+    /// A sentence is missing, late, malformed or has a wrong checksum (TCS-8).
+    Missing(String),
+    /// HTC says manual or rudder control (TCS-9).
+    ModeRefused(String),
+    /// HTC says stand-alone (TCS-10).
+    StandAlone,
+    /// The position jumped (FA9).
+    PositionJump,
+}
+
+/// What changes a mode.
+#[derive(Clone, Debug, PartialEq)]
+pub(in super::super) enum Event {
+    /// The operator takes the ship.
+    Standby,
+    /// The operator selects heading control.
+    Auto,
+    /// The operator sets a heading.
+    SetHeading(Heading),
+    /// Both sides agree on Tn.
+    EngageTn {
+        /// Commanded heading.
+        hts: Heading,
+        /// Commanded track.
+        track: Course,
+        /// Commanded rate in a turn.
+        rate: Option<RateOfTurn>,
+    },
+    /// Both sides agree on Ti.
+    EngageTi {
+        /// The leg.
+        path: Path,
+        /// AUTO's radius, reported before the first turn.
+        radius: Radius,
+    },
+    /// Control by the chart system is lost.
+    TrackFail(Cause),
+    /// Override is reported.
+    Override,
+    /// No heading is usable.
+    HeadingLost,
+}

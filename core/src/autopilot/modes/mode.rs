@@ -1,0 +1,154 @@
+//! The mode that is on, and every transition to another.
+
+use super::auto::Auto;
+use super::autonav_ti::AutonavTi;
+use super::autonav_tn::AutonavTn;
+use super::event::{Cause, Event};
+use super::rudder_hold::RudderHold;
+use super::standby::Standby;
+use super::state::{Facts, State};
+use super::table::{ModeName, Row};
+use crate::autopilot::steering::Demand;
+use crate::nmea::Htd;
+use crate::time::Stamp;
+use crate::units::Heading;
+use serde::{Deserialize, Serialize};
+
+/// A stop is the end of the route if the cross-track distances vanish within this time (TCS-10).
+const STOP_CAUSE_MS: u64 = 1_500;
+
+macro_rules! modes {
+    ($($name:ident: $what:literal;)*) => {
+        /// What the autopilot does; each variant owns what it needs.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+        pub enum Mode {
+            $(#[doc = $what] $name($name),)*
+        }
+
+        /// The rows of all modes.
+        pub(in super::super) const TABLE: &[Row] = &[$($name::ROW,)*];
+
+        impl Mode {
+            /// Its row in the table.
+            pub(in super::super) const fn row(&self) -> &'static Row {
+                match self { $(Self::$name(_) => &const { $name::ROW },)* }
+            }
+
+            /// What it asks of the steering; absent where no orders are computed.
+            pub(in super::super) fn demand(&mut self, facts: &Facts) -> Option<Demand> {
+                match self { $(Self::$name(state) => state.demand(facts),)* }
+            }
+
+            /// Heading to steer in force.
+            pub(in super::super) fn hts(&self, facts: &Facts) -> Option<Heading> {
+                match self { $(Self::$name(state) => state.hts(facts),)* }
+            }
+
+            /// Adds what HTD says of this mode alone.
+            pub(in super::super) fn htd(&self, facts: &Facts, htd: &mut Htd) {
+                match self { $(Self::$name(state) => state.htd(facts, htd),)* }
+            }
+        }
+    };
+}
+
+modes! {
+    Standby: "No orders are given.";
+    Auto: "Heading control.";
+    AutonavTn: "Remote heading control by HTC.";
+    AutonavTi: "Track control by HTC, XTE and PNEY.";
+    RudderHold: "Rudder frozen after a critical failure.";
+}
+
+impl Mode {
+    /// No orders.
+    pub(in super::super) const STANDBY: Self = Self::Standby(Standby);
+
+    /// Every transition.
+    pub(in super::super) fn next(self, event: &Event, facts: &Facts) -> Self {
+        match (self, event) {
+            (_, Event::Standby | Event::Override) => Self::STANDBY,
+            (mode @ (Self::Standby(_) | Self::RudderHold(_)), Event::HeadingLost) => mode,
+            (_, Event::HeadingLost) => Self::RudderHold(RudderHold { order: facts.order }),
+            (_, Event::Auto) => Self::Auto(Auto::on(facts.heading)),
+            (Self::Auto(auto), Event::SetHeading(set)) => Self::Auto(Auto {
+                set: *set,
+                finish: None,
+                ..auto
+            }),
+            (
+                Self::Auto(_) | Self::AutonavTn(_) | Self::AutonavTi(_),
+                Event::EngageTn { hts, track, rate },
+            ) => Self::AutonavTn(AutonavTn {
+                hts: *hts,
+                track: *track,
+                rate: *rate,
+            }),
+            (Self::Auto(_) | Self::AutonavTn(_), Event::EngageTi { path, radius }) => {
+                Self::AutonavTi(AutonavTi::on(*path, Some(*radius)))
+            }
+            (mode @ (Self::AutonavTi(_) | Self::AutonavTn(_)), Event::TrackFail(cause)) => {
+                Self::Auto(mode.fall_back(cause, facts))
+            }
+            // Nothing else changes a mode: a heading is set in AUTO only, a track fails in AutoNAV only.
+            (mode, Event::SetHeading(_) | Event::TrackFail(_)) => mode,
+            (mode, Event::EngageTn { .. } | Event::EngageTi { .. }) => mode,
+        }
+    }
+
+    /// TCS-8, TCS-10: on a leg the heading is held, on a curve the turn is finished.
+    fn fall_back(self, cause: &Cause, facts: &Facts) -> Auto {
+        let stopped = *cause == Cause::StandAlone;
+        // Note 8.1: after a stop the latest set heading.
+        let set = self.hts(facts).filter(|_| stopped);
+        let held = set.unwrap_or(facts.heading);
+        let auto = match self {
+            Self::AutonavTi(ti) => ti.lost(held, facts),
+            Self::AutonavTn(tn) => tn.lost(held),
+            _ => Auto::on(held),
+        };
+        Auto {
+            stop_cause_until: stopped.then(|| facts.now + STOP_CAUSE_MS),
+            ..auto
+        }
+    }
+
+    /// Name for frames and files.
+    #[must_use]
+    pub const fn name(&self) -> ModeName {
+        self.row().name
+    }
+
+    /// Name for people.
+    #[must_use]
+    pub const fn title(&self) -> &'static str {
+        self.row().title
+    }
+
+    /// Whether the chart system controls.
+    #[must_use]
+    pub const fn is_autonav(&self) -> bool {
+        matches!(self, Self::AutonavTn(_) | Self::AutonavTi(_))
+    }
+
+    /// Until when a selection of AutoNAV stands.
+    #[must_use]
+    pub const fn selected_until(&self) -> Option<Stamp> {
+        match self {
+            Self::Auto(auto) => auto.selected_until,
+            _ => None,
+        }
+    }
+
+    /// Selects AutoNAV until then, or withdraws the selection.
+    pub(in super::super) const fn select(&mut self, until: Option<Stamp>) {
+        if let Self::Auto(auto) = self {
+            auto.selected_until = until;
+        }
+    }
+}
+
+/// The row of a mode; none of one that does not exist yet.
+pub(in super::super) fn row(name: ModeName) -> Option<&'static Row> {
+    TABLE.iter().find(|row| row.name == name)
+}

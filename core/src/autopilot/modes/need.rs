@@ -1,0 +1,71 @@
+//! What modes need: how each need is called where it is missing, and what follows where it is lost. One table.
+
+/// What follows where a need is lost while the mode is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in super::super) enum Lost {
+    /// It is asked for at the selection only.
+    AtEntry,
+    /// The rudder is held.
+    RudderHold,
+    /// The next command of the chart system is not followed, and that is said.
+    NotFollowed,
+    /// What the mode's row says, as soon as it is older than `track_fail`; by this name.
+    Watched(&'static str),
+}
+
+macro_rules! needs {
+    ($($name:ident: $lost:expr, $missing:literal, $what:literal;)*) => {
+        /// What a mode cannot do without.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(in super::super) enum Need {
+            $(#[doc = $what] $name,)*
+        }
+
+        impl Need {
+            /// Every need.
+            pub(super) const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// What an officer is told where it is missing.
+            pub(in super::super) const fn missing(self) -> &'static str {
+                match self { $(Self::$name => $missing,)* }
+            }
+
+            /// What it is.
+            pub(super) const fn what(self) -> &'static str {
+                match self { $(Self::$name => $what,)* }
+            }
+
+            /// What follows where it is lost.
+            pub(in super::super) const fn lost(self) -> Lost {
+                match self { $(Self::$name => $lost,)* }
+            }
+        }
+    };
+}
+
+// AP-6, AP-7
+needs! {
+    Enabled: Lost::AtEntry, "AutoNAV is not enabled at installation", "The setting `external_tcs`.";
+    InAuto: Lost::AtEntry, "AutoNAV is selected from AUTO only", "AUTO steers.";
+    NoOverride: Lost::AtEntry, "override is in use", "The chart system reports no override (HTC-1).";
+    LegKnown: Lost::AtEntry, "not in the middle of a turn: the leg before it is unknown", "No radius is commanded: situations 3 and 4 cannot be entered.";
+    Heading: Lost::RudderHold, "no heading", "A heading that is believed.";
+    MeasuredSpeed: Lost::NotFollowed, "no measured speed", "A speed through the water or over ground; the set cruise speed where it is lost (FA10).";
+    Command: Lost::Watched("HTC"), "no valid HTC", "An accepted HTC for this mode.";
+    ShipConstants: Lost::NotFollowed, "the ship's constants are not given: no track control (AP-20)", "The ship's own constants.";
+    Position: Lost::Watched("position"), "no position", "A position that is believed.";
+    CrossTrack: Lost::Watched("XTE"), "no valid XTE", "XTE with status A.";
+    ControlDistance: Lost::Watched("PNEY,001"), "no valid PNEY,001", "PNEY,001 with status A.";
+    Leg: Lost::NotFollowed, "PNEY,001 has no distance: no leg", "The distance in PNEY,001.";
+    Centre: Lost::Watched("PNEY,002"), "no valid PNEY,002", "PNEY,002, with a centre or without.";
+    OnePosition: Lost::NotFollowed, "own and the chart system's position are too far apart", "Own and the chart system's position are those of one ship.";
+    Agreement: Lost::Watched("agreement"), "the chart system's sentences do not agree", "What is commanded agrees with everything else that is heard.";
+}
+
+/// What the selection of AutoNAV is refused without (AP-6).
+pub(super) const ENTRY: &[Need] = &[
+    Need::Enabled,
+    Need::InAuto,
+    Need::NoOverride,
+    Need::LegKnown,
+];
