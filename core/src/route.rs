@@ -8,6 +8,7 @@
 mod embedded;
 mod fault;
 mod fit;
+pub mod foreign;
 mod leg;
 mod progress;
 mod turn;

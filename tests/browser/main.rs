@@ -4,6 +4,7 @@
 mod bridge;
 mod decoder;
 mod fed;
+mod foreign;
 mod layout;
 mod outage;
 mod pace;

@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, VecDeque};
 use wheelover_core::geo::{Plane, Position};
 use wheelover_core::nmea;
 use wheelover_core::picture::{self, Picture};
-use wheelover_core::station::{Direction, PortIndex};
+use wheelover_core::route::foreign::{Before, Told};
+use wheelover_core::station::{Direction, PortIndex, Profile};
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{Hello, Line, Lines, Snapshot};
 
@@ -63,6 +64,8 @@ pub struct Fold {
     /// Server time of the last line.
     pub line_at: Stamp,
     awaited: VecDeque<(u64, String)>,
+    /// What must be remembered of a foreign chart system.
+    before: Before,
 }
 
 impl Fold {
@@ -102,6 +105,10 @@ impl Fold {
             self.seen = *sequence;
             let bytes = latin1(text);
             let sentence = picture::decode(&bytes);
+            let profile = self.picture.ports.get(*port).map(|port| port.profile);
+            if *dir == Direction::In && profile == Some(Profile::Ecdis) {
+                self.before.hear(Stamp(*at), *port, &sentence);
+            }
             if *sequence == self.folded + 1 {
                 self.picture
                     .fold_sentence(Stamp(*at), *port, *dir, &sentence);
@@ -131,6 +138,12 @@ impl Fold {
             self.walk(fix);
         }
         true
+    }
+
+    /// The path as a foreign chart system's sentences tell it (AP-23).
+    #[must_use]
+    pub fn told(&self, now: Stamp, plane: &Plane) -> Told {
+        Told::of(&self.picture, &self.before, now, plane)
     }
 
     /// Remembers the server's digest, or compares at once where the fold stands there.

@@ -3,9 +3,8 @@
 use crate::deck::Deck;
 use crate::format;
 use leptos::prelude::*;
-use wheelover_core::nmea::SteeringMode;
-use wheelover_core::picture::Picture;
-use wheelover_core::time::Stamp;
+use wheelover_core::geo::{Plane, Position};
+use wheelover_core::route::foreign::Told;
 use wheelover_core::units::wrap_180;
 use wheelover_core::view::ModeName;
 
@@ -35,36 +34,17 @@ pub(crate) fn current(deck: Deck) -> Option<u8> {
             .and_then(|s| s.chart.as_ref())
             .map(|c| c.situation)
     });
-    own.or_else(|| {
-        deck.readings
-            .with(|r| deck.with_fold(|fold| heard(&fold.picture, r.now)))
-    })
+    own.or_else(|| told(deck).situation)
 }
 
-/// The situation as the sentences of a foreign chart system show it.
-fn heard(picture: &Picture, now: Stamp) -> Option<u8> {
-    use wheelover_core::limits::Quantity::Control;
-    let htc = &picture.htc.as_ref()?.usable(Control, now)?.htc;
-    let metres = |miles: Option<f64>| miles.unwrap_or(0.0) * 1852.0;
-    let xte = picture
-        .xte
-        .as_ref()
-        .and_then(|x| x.usable(Control, now))
-        .and_then(|x| x.cross_track);
-    let pney1 = picture
-        .pney1
-        .as_ref()
-        .and_then(|x| x.usable(Control, now))
-        .and_then(|x| x.cross_track);
-    match htc.steering_mode? {
-        SteeringMode::TrackControl => Some(match htc.radius {
-            None => 2,
-            Some(_) if libm::fabs(metres(xte) - metres(pney1)) < 2.0 => 3,
-            Some(_) => 4,
-        }),
-        SteeringMode::StandAlone => Some(1),
-        _ => None,
-    }
+/// What the sentences of a foreign chart system tell of the path, in a plane at the ship.
+#[must_use]
+pub(crate) fn told(deck: Deck) -> Told {
+    deck.readings.with(|readings| {
+        let ship = readings.position.value;
+        let plane = Plane::at(ship.unwrap_or(Position { lat: 0.0, lon: 0.0 }));
+        deck.with_fold(|fold| fold.told(readings.now, &plane))
+    })
 }
 
 /// What the top bar says: headline and detail.

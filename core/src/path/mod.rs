@@ -97,6 +97,14 @@ impl Path {
         Self::leg(end, turn.course_out)
     }
 
+    /// Metres along the path from `p` to the end of the arc; none where that lies behind, or without one.
+    #[must_use]
+    pub fn left(&self, p: Point) -> Option<f64> {
+        let progress = self.progress(p);
+        let left = self.arc_length() - progress.along;
+        (self.turn.is_some() && progress.part != Part::LegOut && left > 0.0).then_some(left)
+    }
+
     /// Where the arc begins; for a leg alone the point that it was laid through.
     #[must_use]
     pub fn start(&self) -> Point {
@@ -312,6 +320,23 @@ pub(crate) mod tests {
             500.0 * PI / 2.0 + 300.0,
             -20.0,
         );
+    }
+
+    #[test]
+    fn what_is_left_counts_down_to_the_end_of_the_arc() {
+        let path = right_turn();
+        let length = path.arc_length();
+        let check =
+            |north, east, expect: Option<f64>| match (path.left(Point { north, east }), expect) {
+                (Some(left), Some(expect)) => {
+                    assert!((left - expect).abs() < 1.0, "{left} {expect}")
+                }
+                (left, expect) => assert_eq!(left, expect),
+            };
+        check(900.0, 0.0, Some(length + 100.0));
+        check(1353.553, 146.447, Some(length / 2.0));
+        check(1510.0, 700.0, None);
+        assert_eq!(path.leg_out().left(Point::default()), None);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::plan::shapes::Shape;
 use crate::value::{Value, shown};
 use crate::{format, situation};
 use leptos::prelude::*;
-use wheelover_core::geo::Plane;
+use wheelover_core::geo::{Plane, Point};
 
 /// What the route says about the ship's place on it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,7 +24,7 @@ fn progress(deck: Deck) -> Progress {
         .own
         .with(|own| own.as_ref().and_then(|s| s.chart.clone()));
     let Some(chart) = chart else {
-        return Progress::default();
+        return told(deck);
     };
     let name = |index: usize| {
         deck.route
@@ -63,10 +63,11 @@ fn progress(deck: Deck) -> Progress {
                 .iter()
                 .find(|turn| turn.waypoint == chart.leg + 1)
             {
-                progress.next_track = Some(turn.course_out());
+                progress.next_track = Some(turn.path.leg_out().course_in.deg());
                 if matches!(chart.situation, 3 | 4) {
                     progress.turn_end = turn
-                        .remaining(ship)
+                        .path
+                        .left(ship)
                         .zip(speed)
                         .map(|(metres, speed)| metres / speed);
                 }
@@ -74,6 +75,31 @@ fn progress(deck: Deck) -> Progress {
         });
     });
     progress
+}
+
+/// What the sentences of a foreign chart system tell: neither names nor places of other waypoints (AP-23).
+fn told(deck: Deck) -> Progress {
+    if deck.link.get().lost() {
+        return Progress::default();
+    }
+    let told = situation::told(deck);
+    deck.readings.with(|readings| {
+        let ship = Point::default(); // of a plane at her position
+        let speed = readings
+            .sog
+            .value
+            .map(|knots| knots * 1852.0 / 3600.0)
+            .filter(|speed| *speed > 0.2 && readings.position.value.is_some());
+        let left = told.turn.and_then(|turn| turn.left(ship)).zip(speed);
+        Progress {
+            wheel_over: told
+                .wheel_over
+                .map(|(at, _)| -(readings.now.since(at) as f64) / 1000.0),
+            turn_end: left.map(|(metres, speed)| metres / speed),
+            next_track: told.next_track.map(|track| track.deg()),
+            ..Progress::default()
+        }
+    })
 }
 
 /// The bottom strip.

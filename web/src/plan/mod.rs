@@ -1,5 +1,6 @@
 //! The plan view: own ship to scale, the route, the turn and the radius centre, drawn as SVG without any library (DSP-4).
 
+mod foreign;
 pub mod frame;
 pub mod scene;
 pub mod shapes;

@@ -1,11 +1,12 @@
 //! What the plan is drawn from, and the order in which it is drawn (DSP-4).
 
 use super::frame::Frame;
-use super::{ship, track};
+use super::{foreign, ship, track};
 use crate::drawing::Drawing;
 use crate::format;
 use crate::reading::Readings;
 use wheelover_core::geo::{Point, Position};
+use wheelover_core::route::foreign::Told;
 use wheelover_core::view::{ChartOwn, Outline, RouteDocument};
 
 /// Everything that the plan shows, at one moment.
@@ -23,6 +24,8 @@ pub struct Scene<'a> {
     pub route: &'a RouteDocument,
     /// Where on it our chart-system side stands; absent with a foreign one.
     pub chart: Option<&'a ChartOwn>,
+    /// What the sentences of a foreign one tell; absent with our own.
+    pub told: Option<Told>,
     /// The track made good.
     pub trail: &'a [Position],
 }
@@ -33,7 +36,10 @@ impl Scene<'_> {
     pub fn markup(&self) -> String {
         let mut drawing = Drawing::new();
         self.backdrop(&mut drawing);
-        track::draw(self, &mut drawing);
+        match &self.told {
+            Some(told) => foreign::draw(self, told, &mut drawing),
+            None => track::draw(self, &mut drawing),
+        }
         ship::draw(self, &mut drawing);
         drawing.markup()
     }
@@ -125,6 +131,7 @@ mod tests {
             readings,
             route: &route(),
             chart: Some(&chart),
+            told: None,
             trail: &[],
         }
         .markup()

@@ -1,7 +1,8 @@
 //! The route and the turn as lines of the plane: legs, arcs, corridor, wheel-over line, forwarding distance.
 
 use wheelover_core::geo::{Plane, Point};
-use wheelover_core::units::wrap_360;
+use wheelover_core::path::Path;
+use wheelover_core::units::{Course, Radius};
 use wheelover_core::view::{RouteDocument, TurnView};
 
 /// A turn in the plane.
@@ -9,80 +10,28 @@ use wheelover_core::view::{RouteDocument, TurnView};
 pub struct Turn {
     /// Index of its waypoint.
     pub waypoint: usize,
+    /// Both legs and the arc.
+    pub path: Path,
     /// Where the wheel-over line crosses the leg.
     pub wheel_over: Point,
-    /// Where the arc begins.
-    pub start: Point,
-    /// Where it ends.
-    pub end: Point,
-    /// Its centre.
-    pub centre: Point,
-    /// Signed change of course, degrees.
-    pub sweep: f64,
-    /// Its radius, metres.
-    pub radius: f64,
-    /// Course of the leg before it, degrees.
-    pub course_in: f64,
 }
 
 impl Turn {
     fn of(view: &TurnView, plane: &Plane, course_in: f64) -> Self {
         let (centre, start) = (plane.point(view.centre), plane.point(view.start));
+        let radius = Radius::from_m(centre.distance(start));
+        let course = Course::from_deg;
         Self {
             waypoint: view.waypoint,
+            path: Path::turn(
+                course(course_in),
+                centre,
+                radius,
+                course(course_in + view.turn),
+            ),
             wheel_over: plane.point(view.wheel_over),
-            start,
-            end: plane.point(view.end),
-            centre,
-            sweep: view.turn,
-            radius: centre.distance(start),
-            course_in,
         }
     }
-
-    /// Course after the turn, degrees.
-    #[must_use]
-    pub fn course_out(&self) -> f64 {
-        wrap_360(self.course_in + self.sweep)
-    }
-
-    /// The arc, `offset` metres to starboard of the planned one at its begin, `offset_end` at its end.
-    #[must_use]
-    pub fn arc(&self, offset: f64, offset_end: f64) -> Vec<Point> {
-        let first = self.centre.bearing(self.start);
-        let steps = (libm::fabs(self.sweep) / 3.0) as u32 + 2;
-        let side = if self.sweep > 0.0 { 1.0 } else { -1.0 };
-        (0..=steps)
-            .map(|step| {
-                let part = f64::from(step) / f64::from(steps);
-                let lateral = offset + (offset_end - offset) * part;
-                let distance = libm::fmax(self.radius - side * lateral, 0.0);
-                self.centre.towards(first + self.sweep * part, distance)
-            })
-            .collect()
-    }
-
-    /// Metres along the path from `ship` to the end of the arc; absent where that lies behind.
-    #[must_use]
-    pub fn remaining(&self, ship: Point) -> Option<f64> {
-        let along = along(self.start, self.course_in, ship);
-        let arc = self.radius * libm::fabs(self.sweep).to_radians();
-        if along < 0.0 {
-            return Some(arc - along);
-        }
-        let turned = wrap_360(
-            (self.centre.bearing(ship) - self.centre.bearing(self.start))
-                * if self.sweep > 0.0 { 1.0 } else { -1.0 },
-        );
-        (turned < libm::fabs(self.sweep)).then(|| arc - self.radius * turned.to_radians())
-    }
-}
-
-/// Metres of `ship` beyond `point` in the direction `course`.
-#[must_use]
-pub fn along(point: Point, course: f64, ship: Point) -> f64 {
-    let angle = course.to_radians();
-    (ship.north - point.north) * libm::cos(angle) + (ship.east - point.east) * libm::sin(angle)
 }
 
 /// The route in a plane.
@@ -123,8 +72,8 @@ impl Shape {
         let mut legs = Vec::new();
         let mut corridor = [Vec::new(), Vec::new()];
         for leg in 0..waypoints.len().saturating_sub(1) {
-            let from = turn_at(leg).map_or(waypoints[leg].1, |turn| turn.end);
-            let to = turn_at(leg + 1).map_or(waypoints[leg + 1].1, |turn| turn.start);
+            let from = turn_at(leg).map_or(waypoints[leg].1, |turn| turn.path.leg_out().point);
+            let to = turn_at(leg + 1).map_or(waypoints[leg + 1].1, |turn| turn.path.start());
             legs.push((from, to));
             let limits = limits(route, leg);
             let next = limits_after(route, leg);
@@ -134,7 +83,7 @@ impl Shape {
                 corridor[side].push(from.towards(square, sign * limits[side]));
                 corridor[side].push(to.towards(square, sign * limits[side]));
                 if let Some(turn) = turn_at(leg + 1) {
-                    corridor[side].extend(turn.arc(sign * limits[side], sign * next[side]));
+                    corridor[side].extend(turn.path.drawn(sign * limits[side], sign * next[side]));
                 }
             }
         }
@@ -180,58 +129,6 @@ pub fn predicted(course: f64, rate: f64, speed: f64, seconds: f64) -> Vec<Point>
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn turn() -> Turn {
-        // Northbound, then east: a turn to starboard of 1000 m radius.
-        Turn {
-            waypoint: 1,
-            wheel_over: Point {
-                north: -100.0,
-                east: 0.0,
-            },
-            start: Point {
-                north: 0.0,
-                east: 0.0,
-            },
-            end: Point {
-                north: 1000.0,
-                east: 1000.0,
-            },
-            centre: Point {
-                north: 0.0,
-                east: 1000.0,
-            },
-            sweep: 90.0,
-            radius: 1000.0,
-            course_in: 0.0,
-        }
-    }
-
-    #[test]
-    fn arc_runs_from_start_to_end_and_starboard_is_inside() {
-        let turn = turn();
-        let arc = turn.arc(0.0, 0.0);
-        assert!(arc[0].distance(turn.start) < 1e-6);
-        assert!(arc[arc.len() - 1].distance(turn.end) < 1e-6);
-        assert!((turn.arc(50.0, 50.0)[3].distance(turn.centre) - 950.0).abs() < 1e-6);
-    }
-
-    #[test]
-    fn remaining_distance_counts_down_to_the_end_of_the_arc() {
-        let turn = turn();
-        let quarter = 1000.0 * core::f64::consts::FRAC_PI_2;
-        let check = |north, east, expect: Option<f64>| {
-            let got = turn.remaining(Point { north, east });
-            match (got, expect) {
-                (Some(got), Some(expect)) => assert!((got - expect).abs() < 1.0, "{got} {expect}"),
-                (got, expect) => assert_eq!(got, expect),
-            }
-        };
-        check(-100.0, 0.0, Some(quarter + 100.0));
-        check(1.0, 0.0, Some(quarter));
-        check(707.107, 292.893, Some(quarter / 2.0));
-        check(1010.0, 1400.0, None);
-    }
 
     #[test]
     fn prediction_without_turning_is_straight() {

@@ -6,6 +6,7 @@ use super::shapes::{Shape, Turn};
 use crate::drawing::Drawing;
 use crate::format::{self, fixed};
 use wheelover_core::geo::Point;
+use wheelover_core::path::Path;
 
 /// The route and the turn that comes or is sailed.
 pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
@@ -26,7 +27,7 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
     }
     let next = |turn: &&Turn| turn.waypoint == leg + 1;
     for other in shape.turns.iter().filter(|turn| !next(turn)) {
-        drawing.path("route far", "", &frame.path(&other.arc(0.0, 0.0)));
+        drawing.path("route far", "", &frame.path(&other.path.drawn(0.0, 0.0)));
     }
     for (index, (name, place)) in shape.waypoints.iter().enumerate() {
         waypoint(frame, drawing, name, *place, index == leg + 1);
@@ -34,9 +35,9 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
     let coming = shape.turns.iter().find(next);
     if let Some(coming) = coming {
         let name = shape.waypoints.get(leg + 1).map(|(name, _)| name.as_str());
-        turn(frame, drawing, coming, name);
+        turn(frame, drawing, &coming.path, Some(coming.wheel_over), name);
     }
-    centre(scene, drawing, coming);
+    centre(scene, drawing, coming.map(|turn| &turn.path));
 }
 
 fn waypoint(frame: &Frame, drawing: &mut Drawing, name: &str, place: Point, active: bool) {
@@ -53,38 +54,48 @@ fn waypoint(frame: &Frame, drawing: &mut Drawing, name: &str, place: Point, acti
     );
 }
 
-/// The turn that comes or is sailed: arc, wheel-over line, forwarding distance, its ends.
-fn turn(frame: &Frame, drawing: &mut Drawing, turn: &Turn, name: Option<&str>) {
+/// The turn that comes or is sailed: arc and its ends, and where the wheel-over line is known, that and the forwarding distance.
+pub(super) fn turn(
+    frame: &Frame,
+    drawing: &mut Drawing,
+    path: &Path,
+    wheel_over: Option<Point>,
+    name: Option<&str>,
+) {
     let unit = |pixels: f64| pixels / frame.scale;
-    let side = if turn.sweep > 0.0 { -90.0 } else { 90.0 };
+    let (start, out) = (path.start(), path.leg_out());
+    let (course, side) = (path.course_in.deg(), -90.0 * path.side());
+    drawing.path("arc", "arc", &frame.path(&path.drawn(0.0, 0.0)));
+    let reach = |leg: Path| frame.across(leg.point, leg.course_in.deg(), unit(22.0));
+    drawing.path("reach", "", &reach(out));
+    let Some(wheel_over) = wheel_over else {
+        return;
+    };
+    drawing.path("reach", "", &reach(Path::leg(start, path.course_in)));
     // The bracket of F stands outside the turn, beside the leg.
-    let beside = |point: Point, pixels: f64| point.towards(turn.course_in + side, unit(pixels));
+    let beside = |point: Point, pixels: f64| point.towards(course + side, unit(pixels));
     let bracket = frame.path(&[
-        beside(turn.wheel_over, 14.0),
-        beside(turn.wheel_over, 22.0),
-        beside(turn.start, 22.0),
-        beside(turn.start, 14.0),
+        beside(wheel_over, 14.0),
+        beside(wheel_over, 22.0),
+        beside(start, 22.0),
+        beside(start, 14.0),
     ]);
     let middle = Point {
-        north: (turn.wheel_over.north + turn.start.north) / 2.0,
-        east: (turn.wheel_over.east + turn.start.east) / 2.0,
+        north: (wheel_over.north + start.north) / 2.0,
+        east: (wheel_over.east + start.east) / 2.0,
     };
     let (fx, fy) = frame.point(beside(middle, 36.0));
-    let (wx, wy) = frame.point(turn.wheel_over.towards(turn.course_in - side, unit(56.0)));
-    drawing.path("arc", "arc", &frame.path(&turn.arc(0.0, 0.0)));
-    let over = frame.across(turn.wheel_over, turn.course_in, unit(36.0));
+    let (wx, wy) = frame.point(wheel_over.towards(course - side, unit(56.0)));
+    let over = frame.across(wheel_over, course, unit(36.0));
     drawing.path("wol", "wheel-over", &over);
     drawing.path("forward", "forwarding-distance", &bracket);
-    for (end, course) in [(turn.start, turn.course_in), (turn.end, turn.course_out())] {
-        drawing.path("reach", "", &frame.across(end, course, unit(22.0)));
-    }
     drawing.word("plan-ink", "middle", (fx, fy + 5.0), "F");
     let name = format!("WOL {}", format::waypoint(name));
     drawing.word("plan-ink", "middle", (wx, wy + 5.0), name);
 }
 
 /// The radius centre as the chart system says it, with the radius it commands; only while it says so (PNEY,002).
-fn centre(scene: &Scene<'_>, drawing: &mut Drawing, turn: Option<&Turn>) {
+pub(super) fn centre(scene: &Scene<'_>, drawing: &mut Drawing, turn: Option<&Path>) {
     let (frame, readings) = (&scene.frame, scene.readings);
     let Some(position) = readings.centre.value else {
         return;
@@ -92,7 +103,7 @@ fn centre(scene: &Scene<'_>, drawing: &mut Drawing, turn: Option<&Turn>) {
     let place = frame.plane.point(position);
     let (x, y) = frame.point(place);
     if let Some(turn) = turn {
-        let radii = frame.path(&[turn.start, place, turn.end]);
+        let radii = frame.path(&[turn.start(), place, turn.leg_out().point]);
         drawing.path("radius", "", &radii);
     }
     drawing

@@ -56,6 +56,8 @@ pub(crate) fn Plan() -> impl IntoView {
                 deck.own.with_untracked(|own| {
                     deck.with_fold(|fold| {
                         let chart = own.as_ref().and_then(|own| own.chart.as_ref());
+                        let foreign = own.is_some() && chart.is_none();
+                        let told = foreign.then(|| fold.told(readings.now, &frame.plane));
                         let trail = &fold.trail;
                         Scene {
                             frame,
@@ -64,6 +66,7 @@ pub(crate) fn Plan() -> impl IntoView {
                             readings,
                             route,
                             chart,
+                            told,
                             trail,
                         }
                         .markup()
