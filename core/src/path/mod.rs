@@ -204,7 +204,7 @@ impl Path {
         let rho = turn.centre.distance(p);
         let arc = Progress {
             part: Part::Arc,
-            along: (turned * radius).clamp(0.0, length),
+            along: within(turned * radius, length),
             cross_track: side * (radius - rho),
         };
         let mut best = arc;
@@ -230,6 +230,17 @@ impl Path {
             };
         }
         best
+    }
+}
+
+/// At least 0 and at most `most`. The language's own `clamp` carries the printing of numbers into a page, 6 kB of it.
+fn within(value: f64, most: f64) -> f64 {
+    if value < 0.0 {
+        0.0
+    } else if value > most {
+        most
+    } else {
+        value
     }
 }
 
