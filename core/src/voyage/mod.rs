@@ -11,6 +11,7 @@ mod line;
 mod officer;
 mod see;
 mod setup;
+mod tap;
 
 use crate::autopilot::Autopilot;
 use crate::chart_system::ChartSystem;
@@ -28,6 +29,7 @@ pub use line::Line;
 use officer::Officer;
 use serde::{Deserialize, Serialize};
 pub use setup::{Role, VoyageConfig};
+pub use tap::{Parcel, Tap};
 
 /// What happens to a voyage. A log of `(time, event)` is the whole story (CFG-1).
 #[derive(Clone, Debug, PartialEq)]
@@ -115,6 +117,8 @@ pub struct Voyage {
     scratch: Vec<Output>,
     #[serde(skip)]
     deliveries: VecDeque<(Role, PortIndex, Vec<u8>)>,
+    #[serde(skip)]
+    tap: tap::Slot,
 }
 
 impl Voyage {
@@ -171,10 +175,12 @@ impl Voyage {
                 out.push(VoyageOutput::Answer(Answer { id, ok, text }));
             }
             Event::Stalled { ms } => {
+                // Every station knows of it before it hears another, which would make it run what was missed.
                 for role in Role::ALL {
                     self.input(now, role, Input::Stalled { ms });
-                    self.settle(now, role, out);
+                    self.sort_out(now, role, out);
                 }
+                self.deliver(now, out);
             }
             Event::Tick => {}
         }
@@ -230,7 +236,22 @@ impl Voyage {
     }
 
     fn deliver(&mut self, now: Stamp, out: &mut Vec<VoyageOutput>) {
-        while let Some((role, port, bytes)) = self.deliveries.pop_front() {
+        while let Some((role, port, mut bytes)) = self.deliveries.pop_front() {
+            if self.tap.is_set() {
+                let Some(profile) = self.ports_of(role).get(port).map(|port| port.profile) else {
+                    continue;
+                };
+                let parcel = Parcel {
+                    at: now,
+                    to: role,
+                    profile,
+                    bytes: &bytes,
+                };
+                match self.tap.pass(parcel) {
+                    Some(heard) => bytes = heard,
+                    None => continue,
+                }
+            }
             self.input(
                 now,
                 role,

@@ -145,6 +145,7 @@ impl Voyage {
             officer_due: now + 1_000,
             scratch: Vec::new(),
             deliveries: VecDeque::new(),
+            tap: super::tap::Slot::default(),
         }
     }
 }

@@ -1,8 +1,9 @@
 //! While engaged, on a leg, on the forwarding distance and on the arc: absurd, missing, jumping and contradictory commands
 //! move nothing, are named, are never echoed, and are TRACK FAIL when they last (SEN-5, TCS-4, TCS-8, HTC-3, FB13).
 
-use crate::rig::{Rig, edited, with_checksum};
+use crate::rig::{Rig, edited};
 use wheelover_core::alerts::Alert;
+use wheelover_core::nmea::with_checksum;
 use wheelover_core::station::Profile;
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{ModeName, ModeRequest, Order};
@@ -11,14 +12,14 @@ use wheelover_core::view::{ModeName, ModeRequest, Order};
 fn at(situation: u8) -> Rig {
     let mut rig = Rig::tracking();
     rig.until("the situation", 900.0, |rig| {
-        rig.chart.situation() == situation
+        rig.chart().situation() == situation
     });
     rig.run(match situation {
         2 => 60.0,
         3 => 8.0,
         _ => 30.0,
     });
-    assert_eq!(rig.chart.situation(), situation);
+    assert_eq!(rig.chart().situation(), situation);
     rig
 }
 
@@ -37,7 +38,7 @@ fn spoil(rig: &mut Rig, (formatter, changes): Spoil, until: Stamp) {
 }
 
 fn order(rig: &Rig) -> f64 {
-    rig.autopilot
+    rig.autopilot()
         .rudder_order()
         .map_or(0.0, |order| order.deg())
 }
@@ -143,7 +144,7 @@ fn a_single_one_changes_nothing() {
             spoil(&mut rig, *spoiled, until);
             let (rig, apart, failed) = beside(rig, situation, 12.0);
             let what = format!("situation {situation}, {spoiled:?}");
-            assert_eq!(failed, None, "{what}: {}", rig.autopilot.why());
+            assert_eq!(failed, None, "{what}: {}", rig.autopilot().why());
             assert!(apart < 1.5, "{what}: the order moved by {apart}");
             assert_eq!(rig.mode(), ModeName::AutonavTi, "{what}");
         }
@@ -166,7 +167,7 @@ fn a_single_position_of_the_chart_system_far_off_changes_nothing() {
             });
             let (rig, apart, failed) = beside(rig, situation, 12.0);
             let what = format!("situation {situation}, {minutes} minutes");
-            assert_eq!(failed, None, "{what}: {}", rig.autopilot.why());
+            assert_eq!(failed, None, "{what}: {}", rig.autopilot().why());
             assert!(apart < 1.5, "{what}: the order moved by {apart}");
         }
     }
@@ -201,7 +202,7 @@ fn a_radius_whose_centre_never_comes_is_track_fail_and_the_turn_is_made() {
         })
     });
     rig.until("the wheel-over line", 900.0, |rig| {
-        rig.chart.situation() == 3
+        rig.chart().situation() == 3
     });
     rig.until("TRACK FAIL", 7.5, |rig| rig.raised(Alert::TrackFail));
     assert!(rig.text(Alert::TrackFail).contains("PNEY,002"));
@@ -260,7 +261,7 @@ fn a_broken_htc_begins_the_row_anew() {
         rig.mode(),
         ModeName::AutonavTi,
         "{}",
-        rig.autopilot.waits_for(rig.now)
+        rig.autopilot().waits_for(rig.now)
     );
 }
 
@@ -268,26 +269,30 @@ fn a_broken_htc_begins_the_row_anew() {
 #[test]
 fn a_track_that_follows_the_arc_keeps_the_ship_on_it() {
     let mut rig = at(2);
-    let heading = std::rc::Rc::new(std::cell::Cell::new(245.0));
+    let heading = std::sync::Arc::new(std::sync::Mutex::new(245.0));
     let shared = heading.clone();
     rig.filter(move |_, from, line| {
         let turning = line.contains("HTC,") && !line.contains(",R,,,,");
         Some(if from == Profile::Ecdis && turning {
-            edited(line, &[(12, &format!("{:05.1}", shared.get()))])
+            edited(line, &[(12, &format!("{:05.1}", *shared.lock().unwrap()))])
         } else {
             line.to_string()
         })
     });
-    rig.until("the arc", 900.0, |rig| rig.chart.situation() == 4);
+    rig.until("the arc", 900.0, |rig| rig.chart().situation() == 4);
     let mut worst = 0.0_f64;
-    while rig.chart.situation() == 4 {
-        let truth = rig.world.truth();
-        heading.set(rig.heading().deg().clamp(245.0, 305.0));
-        worst = worst.max(crate::rig::off_path(&rig.route, &rig.chart, truth.position));
+    while rig.chart().situation() == 4 {
+        let truth = rig.world().truth();
+        *heading.lock().unwrap() = rig.heading().deg().clamp(245.0, 305.0);
+        worst = worst.max(crate::rig::off_path(
+            &rig.route,
+            rig.chart(),
+            truth.position,
+        ));
         rig.step();
     }
     assert!(worst < 30.0, "{worst} m off the arc");
-    assert_eq!(rig.mode(), ModeName::AutonavTi, "{}", rig.autopilot.why());
+    assert_eq!(rig.mode(), ModeName::AutonavTi, "{}", rig.autopilot().why());
     rig.check_orders();
 }
 

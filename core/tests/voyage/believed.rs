@@ -8,7 +8,7 @@ use wheelover_core::view::{FaultKind, own};
 
 /// Sources of a quantity that are not believed, by port.
 fn refused(rig: &Rig, quantity: Quantity) -> Vec<String> {
-    let said = own(&rig.autopilot, rig.now).refused;
+    let said = own(rig.autopilot(), rig.now).refused;
     let of = said
         .into_iter()
         .filter(|refused| refused.quantity == quantity);
@@ -18,8 +18,8 @@ fn refused(rig: &Rig, quantity: Quantity) -> Vec<String> {
 
 /// Metres between the believed place and the true one; absent where none is believed.
 fn off(rig: &Rig) -> Option<f64> {
-    let believed = own(&rig.autopilot, rig.now).position?;
-    let off = Plane::at(rig.world.truth().position).point(believed);
+    let believed = own(rig.autopilot(), rig.now).position?;
+    let off = Plane::at(rig.world().truth().position).point(believed);
     Some(off.distance(Point::default()))
 }
 
@@ -28,11 +28,11 @@ fn a_compass_that_jumped_is_named_and_the_heading_stays_the_ships() {
     let mut rig = Rig::tracking();
     rig.run(30.0);
     assert_eq!(refused(&rig, Quantity::Heading), [] as [String; 0]);
-    rig.world.injure(Profile::Gyro1, FaultKind::Jump, true);
+    rig.injure(Profile::Gyro1, FaultKind::Jump, true);
     let (mut bridged, mut none) = (0, 0);
     for step in 0..80 {
         rig.step();
-        let own = own(&rig.autopilot, rig.now);
+        let own = own(rig.autopilot(), rig.now);
         match own.heading {
             Some(heading) => {
                 let off = (heading - rig.heading().deg()).abs();
@@ -53,7 +53,7 @@ fn a_receiver_that_jumped_is_named_and_the_place_stays_the_ships() {
     let mut rig = Rig::tracking();
     rig.run(30.0);
     assert!(off(&rig).is_some_and(|off| off < 20.0), "{:?}", off(&rig));
-    rig.world.injure(Profile::Gps, FaultKind::Jump, true);
+    rig.injure(Profile::Gps, FaultKind::Jump, true);
     let begun = rig.now;
     rig.until("the receiver is named", 1.5, |rig| {
         refused(rig, Quantity::Position)

@@ -1,8 +1,7 @@
 //! The chart system falls silent, stops, lies or speaks damaged sentences under track control (FA1 to FA5, TCS-8 to TCS-10).
 
 use crate::rig::{Rig, edited};
-use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea::{self, SteeringMode};
 use wheelover_core::station::Profile;
@@ -20,7 +19,7 @@ struct Times {
 
 /// Damages that formatter from now on; gives the times of caution and alarm.
 fn lose(rig: &mut Rig, formatter: &'static str, damage: Damage) -> Times {
-    let last = Rc::new(Cell::new(rig.now));
+    let last = Arc::new(Mutex::new(rig.now));
     let seen = last.clone();
     let begin = rig.now + 2_500;
     rig.filter(move |now, from, line| {
@@ -28,7 +27,7 @@ fn lose(rig: &mut Rig, formatter: &'static str, damage: Damage) -> Times {
             return Some(line.to_string());
         }
         if now < begin {
-            seen.set(now);
+            *seen.lock().unwrap() = now;
             return Some(line.to_string());
         }
         damage(line)
@@ -39,7 +38,7 @@ fn lose(rig: &mut Rig, formatter: &'static str, damage: Damage) -> Times {
     });
     assert_eq!(rig.mode(), ModeName::AutonavTi);
     let alarm = rig.until("TRACK FAIL", 5.0, |rig| rig.raised(Alert::TrackFail));
-    let since = |at: Stamp| at.since(last.get()) as f64 / 1000.0;
+    let since = |at: Stamp| at.since(*last.lock().unwrap()) as f64 / 1000.0;
     Times {
         caution: since(caution),
         alarm: since(alarm),
@@ -93,17 +92,17 @@ fn a_dead_cable_is_the_same() {
 #[test]
 fn silent_on_the_arc_finishes_the_turn() {
     let mut rig = Rig::tracking();
-    rig.until("the arc", 900.0, |rig| rig.chart.situation() == 4);
+    rig.until("the arc", 900.0, |rig| rig.chart().situation() == 4);
     rig.run(10.0);
     let times = lose(&mut rig, "HTC", nothing);
     assert!((5.0..=5.2).contains(&times.alarm), "{}", times.alarm);
     assert_eq!(rig.mode(), ModeName::Auto);
     assert!((rig.set_heading() - 305.0).abs() < 0.05);
     // Half a mile at about 15 kn is some 28 degrees a minute.
-    let rate = rig.world.truth().rate.deg_per_min();
+    let rate = rig.world().truth().rate.deg_per_min();
     assert!((15.0..45.0).contains(&rate), "{rate}");
     rig.run(20.0);
-    let rate = rig.world.truth().rate.deg_per_min();
+    let rate = rig.world().truth().rate.deg_per_min();
     assert!((18.0..42.0).contains(&rate), "{rate}");
     rig.run(180.0);
     assert!((rig.heading().deg() - 305.0).abs() < 2.0);
@@ -115,7 +114,7 @@ fn silent_on_the_arc_finishes_the_turn() {
 fn silent_on_the_forwarding_distance_turns_where_the_arc_begins() {
     let mut rig = Rig::tracking();
     rig.until("the forwarding distance", 900.0, |rig| {
-        rig.chart.situation() == 3
+        rig.chart().situation() == 3
     });
     rig.run(1.5);
     rig.silence(Profile::Ecdis, "HTC");
@@ -125,7 +124,7 @@ fn silent_on_the_forwarding_distance_turns_where_the_arc_begins() {
     let at_failure = rig.heading().deg();
     let start = rig.route.turns()[0].start();
     let leg = *rig.route.leg(0);
-    let to_go = |rig: &Rig| leg.along(start).m() - leg.along(rig.world.truth().position).m();
+    let to_go = |rig: &Rig| leg.along(start).m() - leg.along(rig.world().truth().position).m();
     assert!(to_go(&rig) > 60.0, "{}", to_go(&rig));
     rig.until("the beginning of the arc", 60.0, |rig| to_go(rig) < 15.0);
     let turned = rig.heading().deg() - at_failure;
@@ -140,7 +139,7 @@ fn silent_on_the_forwarding_distance_turns_where_the_arc_begins() {
 fn stopped_by_the_chart_system_keeps_the_latest_set_heading() {
     let mut rig = Rig::tracking();
     rig.run(40.0);
-    let hts = rig.autopilot.hts().map(|hts| hts.deg());
+    let hts = rig.autopilot().hts().map(|hts| hts.deg());
     rig.ask(ChartRequest::Stop).unwrap();
     let before = rig.now;
     rig.until("TRACK FAIL", 1.3, |rig| rig.raised(Alert::TrackFail));
@@ -161,7 +160,7 @@ fn the_end_of_the_route_is_named() {
     let mut rig = Rig::tracking();
     rig.until("TRACK FAIL", 1_500.0, |rig| rig.raised(Alert::TrackFail));
     rig.run(2.0);
-    assert_eq!(rig.chart.situation(), 6);
+    assert_eq!(rig.chart().situation(), 6);
     assert!(rig.text(Alert::TrackFail).contains("end of route"));
     assert!((rig.set_heading() - 305.0).abs() < 15.0);
     rig.check_orders();
@@ -285,11 +284,11 @@ fn with_an_invalid_xte_track_control_is_not_entered() {
     rig.ask(ChartRequest::Track).unwrap();
     rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.run(10.0);
-    let own = own(&rig.autopilot, rig.now);
+    let own = own(rig.autopilot(), rig.now);
     assert_eq!(own.pending.unwrap().waits_for, "no valid XTE");
     rig.run(11.0);
     assert_eq!(rig.mode(), ModeName::Auto);
-    assert!(rig.autopilot.pending().is_none());
+    assert!(rig.autopilot().pending().is_none());
 }
 
 // TCS-9
@@ -298,14 +297,14 @@ fn manual_and_rudder_control_by_the_chart_system_are_refused() {
     for letter in ["M", "R"] {
         let mut rig = Rig::tracking();
         rig.run(20.0);
-        let line = edited(rig.line("HTC"), &[(4, letter), (2, "30.0"), (3, "R")]);
-        let order = rig.autopilot.rudder_order().unwrap().deg();
+        let line = edited(&rig.line("HTC"), &[(4, letter), (2, "30.0"), (3, "R")]);
+        let order = rig.autopilot().rudder_order().unwrap().deg();
         rig.say(Profile::Ecdis, line[1..].split('*').next().unwrap());
         assert_eq!(rig.mode(), ModeName::Auto, "{letter}");
         assert!(rig.raised(Alert::TrackFail));
         rig.silence(Profile::Ecdis, "HTC");
         rig.run(1.0);
-        let now = rig.autopilot.rudder_order().unwrap().deg();
+        let now = rig.autopilot().rudder_order().unwrap().deg();
         assert!((now - order).abs() < 5.0, "{letter}: {order} -> {now}");
         rig.check_orders();
     }

@@ -1,8 +1,8 @@
 //! Entering AutoNAV: both sides within 20 s, three commands in a row, and what is refused (AP-6, AP-7, FA12 to FA14).
 
 use crate::rig::{Rig, edited, route};
-use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea::SteeringMode;
 use wheelover_core::settings::Value;
@@ -24,7 +24,7 @@ fn the_operator_may_ask_before_the_chart_system() {
     rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
     rig.run(10.0);
     assert_eq!(rig.mode(), ModeName::Auto);
-    assert!(rig.autopilot.pending().is_some());
+    assert!(rig.autopilot().pending().is_some());
     rig.ask(ChartRequest::Track).unwrap();
     rig.until("track control", 5.0, |rig| {
         rig.mode() == ModeName::AutonavTi
@@ -51,7 +51,7 @@ fn a_selection_without_confirmation_lapses_after_twenty_seconds() {
     let mut rig = in_auto();
     let asked = rig.now;
     rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
-    rig.until("the lapse", 21.0, |rig| rig.autopilot.pending().is_none());
+    rig.until("the lapse", 21.0, |rig| rig.autopilot().pending().is_none());
     let waited = rig.now.since(asked);
     assert!((19_900..=20_100).contains(&waited), "{waited}");
     rig.ask(ChartRequest::Track).unwrap();
@@ -64,11 +64,11 @@ fn a_selection_without_confirmation_lapses_after_twenty_seconds() {
 fn the_first_engagement_needs_three_commands_in_a_row() {
     let mut rig = in_auto();
     rig.command(Order::Mode(ModeRequest::Autonav)).unwrap();
-    let passed = Rc::new(Cell::new(0));
+    let passed = Arc::new(AtomicU32::new(0));
     let count = passed.clone();
     rig.filter(move |_, _, line| {
         if line.contains("HTC,V,,,T") {
-            count.set(count.get() + 1);
+            count.fetch_add(1, Ordering::Relaxed);
         }
         Some(line.to_string())
     });
@@ -76,7 +76,7 @@ fn the_first_engagement_needs_three_commands_in_a_row() {
     rig.until("track control", 6.0, |rig| {
         rig.mode() == ModeName::AutonavTi
     });
-    assert_eq!(passed.get(), 3);
+    assert_eq!(passed.load(Ordering::Relaxed), 3);
 }
 
 // FA14: every third is refused, so there are never three in a row.
@@ -110,14 +110,14 @@ fn autonav_is_entered_from_auto_only_and_never_in_a_turn() {
     assert_eq!(refusal, "AutoNAV is selected from AUTO only");
 
     let mut rig = Rig::tracking();
-    rig.until("the arc", 900.0, |rig| rig.chart.situation() == 4);
+    rig.until("the arc", 900.0, |rig| rig.chart().situation() == 4);
     rig.run(5.0);
     rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     let refusal = rig.command(Order::Mode(ModeRequest::Autonav)).unwrap_err();
     assert!(refusal.contains("not in the middle of a turn"), "{refusal}");
     // TCS-13: the chart system has stopped, and does not begin there either.
     rig.run(2.0);
-    assert_eq!(rig.chart.control_name(), "off");
+    assert_eq!(rig.chart().control_name(), "off");
     let refusal = rig.ask(ChartRequest::Track).unwrap_err();
     assert!(refusal.contains("not in the middle of a turn"), "{refusal}");
     rig.check_orders();
@@ -131,8 +131,8 @@ fn the_chart_system_stops_when_the_operator_takes_the_ship() {
         rig.run(20.0);
         rig.command(Order::Mode(request)).unwrap();
         rig.run(5.0);
-        assert_eq!(rig.chart.control_name(), "off");
-        let mut alerts = rig.chart.alerts().iter();
+        assert_eq!(rig.chart().control_name(), "off");
+        let mut alerts = rig.chart().alerts().iter();
         assert!(alerts.any(|standing| standing.alert == Alert::AutopilotLeft));
         assert!(
             rig.line("HTC").contains("HTC,V,,,S,"),
@@ -156,7 +156,7 @@ fn override_ends_in_standby_at_once_and_does_not_resume() {
         })
     });
     rig.until("STANDBY", 1.1, |rig| rig.mode() == ModeName::Standby);
-    assert_eq!(rig.autopilot.rudder_order(), None);
+    assert_eq!(rig.autopilot().rudder_order(), None);
     assert!(rig.raised(Alert::Override));
     rig.run(1.1);
     let htd = rig.last_htd();

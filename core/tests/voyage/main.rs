@@ -9,7 +9,6 @@ mod cross_track;
 mod entry;
 mod monte_carlo;
 mod offsets;
-mod order;
 mod refused_commands;
 mod rig;
 mod sensors_lost;

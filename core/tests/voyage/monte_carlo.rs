@@ -1,11 +1,10 @@
 //! Random fault scripts in fast time; what must hold in all of them (FA17, small form).
 
 use crate::rig::{Rig, edited, route};
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea;
-use wheelover_core::station::{Input, Profile};
+use wheelover_core::station::Profile;
 use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order};
 
 /// SplitMix64.
@@ -76,8 +75,8 @@ fn damaged(damage: &Damage, from: Profile, line: &str) -> Option<String> {
 }
 
 /// What the operator does on purpose counts as a reason.
-fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
-    let mut damage = damage.borrow_mut();
+fn act(rig: &mut Rig, random: &mut Random, damage: &Mutex<Damage>) -> bool {
+    let mut damage = damage.lock().unwrap();
     match random.below(18) {
         0..=3 => damage.silent = Some(SILENT[random.below(9) as usize]),
         4 => damage.checksum = Some(["HTC,", "XTE,", "PNEY,001", "HDT"][random.below(4) as usize]),
@@ -86,16 +85,14 @@ fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
         7 => damage.status = [Some("R"), None, Some("")][random.below(3) as usize],
         8 => {
             let on = random.below(2) == 0;
-            rig.world.injure(Profile::Gyro1, FaultKind::Jump, on);
+            rig.injure(Profile::Gyro1, FaultKind::Jump, on);
         }
         9 => {
             let on = random.below(2) == 0;
-            rig.world.injure(Profile::Gps, FaultKind::Jump, on);
+            rig.injure(Profile::Gps, FaultKind::Jump, on);
         }
         10 => {
-            let mut out = Vec::new();
-            rig.autopilot
-                .handle(rig.now, Input::Stalled { ms: 300 }, &mut out);
+            rig.stall(300);
         }
         11 => {
             let _ = rig.ask(ChartRequest::Stop);
@@ -116,8 +113,8 @@ fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
             // All is healed, and the officer brings the ship back under track control.
             *damage = Damage::default();
             drop(damage);
-            rig.world.injure(Profile::Gyro1, FaultKind::Jump, false);
-            rig.world.injure(Profile::Gps, FaultKind::Jump, false);
+            rig.injure(Profile::Gyro1, FaultKind::Jump, false);
+            rig.injure(Profile::Gps, FaultKind::Jump, false);
             let _ = rig.command(Order::Mode(ModeRequest::Auto));
             let _ = rig.ask(ChartRequest::Track);
             let _ = rig.command(Order::Mode(ModeRequest::Autonav));
@@ -130,9 +127,9 @@ fn act(rig: &mut Rig, random: &mut Random, damage: &RefCell<Damage>) -> bool {
 fn script(seed: u64) {
     let mut random = Random(seed);
     let mut rig = Rig::new(route(&[(245.0, 1.6), (305.0, 2.0)], 0.5), seed);
-    let damage = Rc::new(RefCell::new(Damage::default()));
+    let damage = Arc::new(Mutex::new(Damage::default()));
     let on_cable = damage.clone();
-    rig.filter(move |_, from, line| damaged(&on_cable.borrow(), from, line));
+    rig.filter(move |_, from, line| damaged(&on_cable.lock().unwrap(), from, line));
     rig.run(4.0);
     let _ = rig.command(Order::Mode(ModeRequest::Auto));
     rig.run(4.0);

@@ -1,6 +1,7 @@
 //! Commands that must not move the rudder: every printed HTC of the source documents, damaged and foreign ones (SEN-2, SEN-5).
 
-use crate::rig::{Rig, edited, with_checksum};
+use crate::rig::{Rig, edited};
+use wheelover_core::nmea::with_checksum;
 use wheelover_core::station::Profile;
 use wheelover_core::view::{ModeName, ModeRequest, Order};
 

@@ -1,52 +1,46 @@
-//! Three stations on cables; every line to the autopilot passes a filter that a test sets.
+//! The voyage as it is shipped, with a tap on its cables: every line to the autopilot passes a filter that a test sets.
 
-use crate::order::ask;
-use std::collections::VecDeque;
+use std::sync::{Arc, Mutex};
 use wheelover_core::alerts::Alert;
-use wheelover_core::autopilot::steering::SteeringSettings;
 use wheelover_core::autopilot::{Autopilot, Mode};
-use wheelover_core::chart_system::{ChartConfig, ChartSystem};
+use wheelover_core::chart_system::ChartSystem;
 use wheelover_core::geo::{Position, rhumb};
-use wheelover_core::nmea::{self, Htd};
+use wheelover_core::nmea::{self, Htd, with_checksum};
 use wheelover_core::route::{Route, RouteLimits, Waypoint};
-use wheelover_core::settings::Settings;
-use wheelover_core::station::{ChecksumPolicy, Input, Output, PortSetup, Profile};
+use wheelover_core::station::{Profile, Role};
 use wheelover_core::time::Stamp;
 use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
-use wheelover_core::view::{ChartRequest, ModeName, ModeRequest, Order};
+use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order, Origin};
+use wheelover_core::voyage::{Event, Parcel, Voyage, VoyageConfig, VoyageOutput};
 use wheelover_core::world::{World, WorldConfig};
 
 /// The gear's slew in these tests, degrees a second (the Mariner's).
 pub(crate) const SLEW: f64 = 5.0;
 
 /// What becomes of a line to the autopilot: its text without CR LF, or nothing.
-pub(crate) type Filter = Box<dyn FnMut(Stamp, Profile, &str) -> Option<String>>;
+pub(crate) type Filter = Box<dyn FnMut(Stamp, Profile, &str) -> Option<String> + Send>;
 
-const AUTOPILOT_PORTS: [Profile; 5] = [
-    Profile::Ecdis,
-    Profile::Gyro1,
-    Profile::Gps,
-    Profile::Log,
-    Profile::Gear,
-];
+/// What the tap on the cables holds.
+struct Wire {
+    filter: Filter,
+    /// Last line of each formatter that the chart system said, as it was sent.
+    said: Vec<(String, String)>,
+    /// HTD lines of the autopilot with their time.
+    htd: Vec<(Stamp, Htd)>,
+}
 
-/// The stations, the cables and what is watched all the time.
+/// A voyage with a tap on its cables, and what is watched all the time.
 pub(crate) struct Rig {
-    pub(crate) world: World,
-    pub(crate) chart: ChartSystem,
-    pub(crate) autopilot: Autopilot,
+    voyage: Voyage,
+    wire: Arc<Mutex<Wire>>,
     pub(crate) now: Stamp,
     pub(crate) route: Route,
-    pub(crate) filter: Filter,
-    /// Last line of each formatter that the chart system said, as it was sent.
-    pub(crate) said: Vec<(String, String)>,
     /// HTD lines of the autopilot with their time.
     pub(crate) htd: Vec<(Stamp, Htd)>,
     /// Rudder orders at each control step; absent in STANDBY.
     pub(crate) orders: Vec<(Stamp, Option<f64>)>,
     /// Headings as the autopilot read them, one a step.
     pub(crate) read: Vec<f64>,
-    queue: VecDeque<(Profile, bool, Vec<u8>)>,
 }
 
 /// Legs of `(course, miles)`; a radius at each waypoint between them.
@@ -72,50 +66,48 @@ pub(crate) fn route(legs: &[(f64, f64)], radius: f64) -> Route {
 impl Rig {
     /// The ship on the first leg of `route`, half a cable from its beginning, 1 kn of current across.
     pub(crate) fn new(route: Route, seed: u64) -> Self {
+        Self::sailing(route.clone(), Some(route), seed)
+    }
+
+    /// The same where the chart system has no route.
+    pub(crate) fn without_route(route: Route, seed: u64) -> Self {
+        Self::sailing(route, None, seed)
+    }
+
+    fn sailing(route: Route, loaded: Option<Route>, seed: u64) -> Self {
         let leg = route.leg(0);
-        let world = World::new(WorldConfig {
+        let mut config = VoyageConfig::embedded(seed);
+        config.settings.rudder_slew = SLEW;
+        config.chart.route = loaded;
+        config.world = WorldConfig {
             start: leg.at(Distance::from_m(100.0)),
             heading: leg.course().as_heading(),
             seed,
             current_set: Course::from_deg(leg.course().deg() + 90.0),
             current_drift: Speed::from_knots(1.0),
             ..WorldConfig::default()
-        });
-        let chart = ChartSystem::new(ChartConfig {
-            route: Some(route.clone()),
-            ..ChartConfig::default()
-        });
-        let ports = AUTOPILOT_PORTS.map(|profile| PortSetup {
-            name: format!("{profile:?}").to_lowercase(),
-            profile,
-            checksum: ChecksumPolicy::Required,
-            baud: 38_400,
-            output: true,
-        });
-        let settings = Settings {
-            rudder_slew: SLEW,
-            external_tcs: true,
-            ..Settings::default()
         };
-        let autopilot = Autopilot::new(
-            ports.to_vec(),
-            settings,
-            Some(SteeringSettings::default()),
-            Stamp(0),
-        );
-        Self {
-            world,
-            chart,
-            autopilot,
-            now: Stamp(0),
-            route,
+        let wire = Arc::new(Mutex::new(Wire {
             filter: Box::new(|_, _, line| Some(line.to_string())),
             said: Vec::new(),
             htd: Vec::new(),
+        }));
+        let mut voyage = Voyage::configured(config);
+        let tapped = wire.clone();
+        voyage.tap(Box::new(move |parcel| tapped.lock().unwrap().pass(parcel)));
+        let mut rig = Self {
+            voyage,
+            wire,
+            now: Stamp(0),
+            route,
+            htd: Vec::new(),
             orders: Vec::new(),
             read: Vec::new(),
-            queue: VecDeque::new(),
+        };
+        if rig.voyage.is_embedded() {
+            rig.command(Order::Officer(false)).unwrap();
         }
+        rig
     }
 
     /// Two legs with a turn of 60 degrees to starboard of half a mile between them, under track control.
@@ -144,9 +136,9 @@ impl Rig {
     /// Sets what becomes of lines to the autopilot.
     pub(crate) fn filter(
         &mut self,
-        filter: impl FnMut(Stamp, Profile, &str) -> Option<String> + 'static,
+        filter: impl FnMut(Stamp, Profile, &str) -> Option<String> + Send + 'static,
     ) {
-        self.filter = Box::new(filter);
+        self.wire.lock().unwrap().filter = Box::new(filter);
     }
 
     /// From now on nothing of that formatter (all, if empty) comes from that profile.
@@ -156,16 +148,40 @@ impl Rig {
         });
     }
 
-    pub(crate) fn command(&mut self, action: Order) -> Result<String, String> {
-        ask(&action, |input, out| {
-            self.autopilot.handle(self.now, input, out);
-        })
+    pub(crate) fn command(&mut self, order: Order) -> Result<String, String> {
+        let (id, by) = (1, Origin::Officer);
+        let answer = self.event(Event::Order { id, by, order });
+        let answer = answer.into_iter().find_map(|output| match output {
+            VoyageOutput::Answer(answer) => Some(answer),
+            _ => None,
+        });
+        let answer = answer.expect("every order is answered");
+        if answer.ok {
+            Ok(answer.text)
+        } else {
+            Err(answer.text)
+        }
     }
 
     pub(crate) fn ask(&mut self, request: ChartRequest) -> Result<String, String> {
-        ask(&Order::Chart(request), |input, out| {
-            self.chart.handle(self.now, input, out);
-        })
+        self.command(Order::Chart(request))
+    }
+
+    /// Hurts or heals a sensor of the ship.
+    pub(crate) fn injure(&mut self, sensor: Profile, kind: FaultKind, on: bool) {
+        let cable = sensor.name().to_string();
+        self.command(Order::Fault { cable, kind, on }).unwrap();
+    }
+
+    /// The caller's loop was late by so much.
+    pub(crate) fn stall(&mut self, ms: u64) -> Vec<VoyageOutput> {
+        self.event(Event::Stalled { ms })
+    }
+
+    fn event(&mut self, event: Event) -> Vec<VoyageOutput> {
+        let mut out = Vec::new();
+        self.voyage.handle(self.now, event, &mut out);
+        out
     }
 
     /// Says a line to the autopilot now; the checksum is added.
@@ -176,8 +192,8 @@ impl Rig {
     /// Says a line to the autopilot as it stands.
     pub(crate) fn say_raw(&mut self, profile: Profile, line: &str) {
         let bytes = format!("{line}\r\n").into_bytes();
-        self.tell_autopilot(profile, &bytes);
-        self.carry();
+        let hearer = (Role::Autopilot, profile);
+        self.voyage.say(self.now, hearer, &bytes, &mut Vec::new());
     }
 
     pub(crate) fn run(&mut self, seconds: f64) {
@@ -199,9 +215,9 @@ impl Rig {
             assert!(
                 self.now < end,
                 "{name} not within {seconds} s: {:?} situation {} {:?}",
-                self.autopilot.mode(),
-                self.chart.situation(),
-                self.autopilot.alerts().standing()
+                self.autopilot().mode(),
+                self.chart().situation(),
+                self.autopilot().alerts().standing()
             );
             self.step();
         }
@@ -211,137 +227,52 @@ impl Rig {
     /// A tenth of a second.
     pub(crate) fn step(&mut self) {
         self.now = self.now + 100;
-        let mut out = Vec::new();
-        self.world.handle(self.now, Input::Tick, &mut out);
-        self.sort(0, &mut out);
-        self.carry();
-        self.chart.handle(self.now, Input::Tick, &mut out);
-        self.sort(1, &mut out);
-        self.carry();
-        self.autopilot.handle(self.now, Input::Tick, &mut out);
-        self.sort(2, &mut out);
-        self.carry();
-        let order = self.autopilot.rudder_order().map(|order| order.deg());
+        self.event(Event::Tick);
+        self.htd.append(&mut self.wire.lock().unwrap().htd);
+        let order = self.autopilot().rudder_order().map(|order| order.deg());
         self.orders.push((self.now, order));
-        let read = self.autopilot.picture().heading(self.now);
-        self.read.extend(read.map(|read| read.value.deg()));
+        let read = self.autopilot().picture().heading(self.now);
+        let read = read.map(|read| read.value.deg());
+        self.read.extend(read);
     }
 
-    fn sort(&mut self, station: usize, out: &mut Vec<Output>) {
-        for output in out.drain(..) {
-            let Output::Send { port, bytes } = output else {
-                continue;
-            };
-            let profile = match station {
-                0 => self.world.ports()[port].profile,
-                1 => Profile::Ecdis,
-                _ => AUTOPILOT_PORTS[port],
-            };
-            self.queue.push_back((profile, station == 2, bytes));
-        }
+    pub(crate) fn autopilot(&self) -> &Autopilot {
+        self.voyage.autopilot().unwrap()
     }
 
-    fn carry(&mut self) {
-        while let Some((profile, from_autopilot, bytes)) = self.queue.pop_front() {
-            if from_autopilot {
-                self.heard_from_autopilot(profile, &bytes);
-                continue;
-            }
-            let index = match profile {
-                Profile::Gps => Some(1),
-                Profile::Gyro1 => Some(2),
-                Profile::Log => Some(3),
-                _ => None,
-            };
-            if let Some(port) = index {
-                self.tell_chart(port, &bytes);
-            }
-            if profile == Profile::Ecdis {
-                self.note(&bytes);
-            }
-            self.tell_autopilot(profile, &bytes);
-        }
+    pub(crate) fn chart(&self) -> &ChartSystem {
+        self.voyage.chart_system().unwrap()
     }
 
-    fn note(&mut self, bytes: &[u8]) {
-        for line in String::from_utf8_lossy(bytes).lines() {
-            let formatter = nmea::decode(line.as_bytes()).formatter.to_string();
-            self.said.retain(|(name, _)| *name != formatter);
-            self.said.push((formatter, line.to_string()));
-        }
-    }
-
-    fn tell_chart(&mut self, port: usize, bytes: &[u8]) {
-        let mut out = Vec::new();
-        self.chart
-            .handle(self.now, Input::Bytes { port, bytes }, &mut out);
-        self.sort(1, &mut out);
-    }
-
-    fn tell_autopilot(&mut self, profile: Profile, bytes: &[u8]) {
-        let port = AUTOPILOT_PORTS
-            .iter()
-            .position(|known| *known == profile)
-            .unwrap();
-        for line in String::from_utf8_lossy(bytes).lines() {
-            let Some(line) = (self.filter)(self.now, profile, line) else {
-                continue;
-            };
-            let line = format!("{line}\r\n");
-            let mut out = Vec::new();
-            let bytes = line.as_bytes();
-            self.autopilot
-                .handle(self.now, Input::Bytes { port, bytes }, &mut out);
-            self.sort(2, &mut out);
-        }
-    }
-
-    fn heard_from_autopilot(&mut self, profile: Profile, bytes: &[u8]) {
-        match profile {
-            Profile::Gear => {
-                let port = self.world.port(Profile::Gear).unwrap();
-                let mut out = Vec::new();
-                self.world
-                    .handle(self.now, Input::Bytes { port, bytes }, &mut out);
-                self.sort(0, &mut out);
-            }
-            Profile::Ecdis => {
-                for line in String::from_utf8_lossy(bytes).lines() {
-                    if let Some(htd) = Htd::from_sentence(&nmea::decode(line.as_bytes())) {
-                        self.htd.push((self.now, htd));
-                    }
-                }
-                self.tell_chart(0, bytes);
-            }
-            _ => {}
-        }
+    pub(crate) fn world(&self) -> &World {
+        self.voyage.world().unwrap()
     }
 
     pub(crate) fn mode(&self) -> ModeName {
-        self.autopilot.mode().name()
+        self.autopilot().mode().name()
     }
 
     /// Set heading of AUTO, degrees.
     pub(crate) fn set_heading(&self) -> f64 {
-        match self.autopilot.mode() {
+        match self.autopilot().mode() {
             Mode::Auto(auto) => auto.set.deg(),
             other => panic!("not AUTO: {other:?}"),
         }
     }
 
     pub(crate) fn heading(&self) -> Heading {
-        self.world.truth().heading
+        self.world().truth().heading
     }
 
     pub(crate) fn raised(&self, alert: Alert) -> bool {
-        self.autopilot.alerts().raised(alert)
+        self.autopilot().alerts().raised(alert)
     }
 
     /// Text of a raised alert, empty where it is not raised.
     pub(crate) fn text(&self, alert: Alert) -> String {
-        let standing = self.autopilot.alerts().standing();
+        let standing = self.autopilot().alerts().standing();
         let found = standing.iter().find(|standing| standing.alert == alert);
-        found.map_or(String::new(), |standing| self.autopilot.text_of(standing))
+        found.map_or(String::new(), |standing| self.autopilot().text_of(standing))
     }
 
     pub(crate) fn last_htd(&self) -> &Htd {
@@ -349,9 +280,11 @@ impl Rig {
     }
 
     /// The last line of that formatter that the chart system sent.
-    pub(crate) fn line(&self, formatter: &str) -> &str {
-        let found = self.said.iter().find(|(name, _)| name == formatter);
-        &found.unwrap_or_else(|| panic!("no {formatter} was sent")).1
+    pub(crate) fn line(&self, formatter: &str) -> String {
+        let said = &self.wire.lock().unwrap().said;
+        let found = said.iter().find(|(name, _)| name == formatter);
+        let (_, line) = found.unwrap_or_else(|| panic!("no {formatter} was sent"));
+        line.clone()
     }
 
     /// FA6: every step of the order within slew and limit, from the first order on.
@@ -370,6 +303,31 @@ impl Rig {
     }
 }
 
+impl Wire {
+    fn pass(&mut self, parcel: Parcel<'_>) -> Option<Vec<u8>> {
+        let text = String::from_utf8_lossy(parcel.bytes);
+        if parcel.to != Role::Autopilot {
+            for line in text.lines().filter(|_| parcel.profile == Profile::Ecdis) {
+                let htd = Htd::from_sentence(&nmea::decode(line.as_bytes()));
+                self.htd.extend(htd.map(|htd| (parcel.at, htd)));
+            }
+            return Some(parcel.bytes.to_vec());
+        }
+        let mut heard = String::new();
+        for line in text.lines() {
+            if parcel.profile == Profile::Ecdis {
+                let formatter = nmea::decode(line.as_bytes()).formatter.to_string();
+                self.said.retain(|(name, _)| *name != formatter);
+                self.said.push((formatter, line.to_string()));
+            }
+            if let Some(line) = (self.filter)(parcel.at, parcel.profile, line) {
+                heard += &format!("{line}\r\n");
+            }
+        }
+        Some(heard.into_bytes())
+    }
+}
+
 /// Distance of the leg or arc that belongs to the chart system's situation, metres, without sign.
 pub(crate) fn off_path(route: &Route, chart: &ChartSystem, position: Position) -> f64 {
     let index = chart.leg().unwrap_or(0);
@@ -379,12 +337,6 @@ pub(crate) fn off_path(route: &Route, chart: &ChartSystem, position: Position) -
         Some(turn) if on_arc => turn.cross_track(position).m().abs(),
         _ => leg.cross_track(position).m().abs(),
     }
-}
-
-/// A whole sentence from its body without `$` and checksum.
-pub(crate) fn with_checksum(body: &str) -> String {
-    let sum = body.bytes().fold(0_u8, |sum, byte| sum ^ byte);
-    format!("${body}*{sum:02X}")
 }
 
 /// Replaces fields of a line (counted from 1) and repairs its checksum.

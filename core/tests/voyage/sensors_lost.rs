@@ -3,10 +3,11 @@
 use crate::rig::{Rig, edited};
 use wheelover_core::alerts::Alert;
 use wheelover_core::geo::{Position, rhumb};
-use wheelover_core::nmea::{self, Gll, SteeringMode};
-use wheelover_core::station::{Input, Profile};
+use wheelover_core::nmea::{self, Gll, SteeringMode, with_checksum};
+use wheelover_core::station::{Direction, Profile};
 use wheelover_core::units::{Course, Distance};
 use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order};
+use wheelover_core::voyage::VoyageOutput;
 
 // FA7
 #[test]
@@ -23,7 +24,7 @@ fn a_lost_heading_freezes_the_order_until_the_operator_ends_it() {
         let waited = rig.now.since(lost);
         assert!((1_900..=2_200).contains(&waited), "{waited}");
         assert!(rig.raised(Alert::HeadingLost));
-        let frozen = rig.autopilot.rudder_order();
+        let frozen = rig.autopilot().rudder_order();
         let from = rig.orders.len();
         rig.run(20.0);
         assert!(
@@ -73,14 +74,14 @@ fn track_fail_says_what_steers_now() {
 fn a_jump_of_the_gyro_is_never_followed() {
     let mut rig = Rig::tracking();
     rig.run(30.0);
-    let order = rig.autopilot.rudder_order().unwrap().deg();
+    let order = rig.autopilot().rudder_order().unwrap().deg();
     let begun = rig.now;
-    assert!(rig.world.injure(Profile::Gyro1, FaultKind::Jump, true));
+    rig.injure(Profile::Gyro1, FaultKind::Jump, true);
     rig.until("HEADING LOST", 2.0, |rig| rig.raised(Alert::HeadingLost));
     let waited = rig.now.since(begun);
     assert!((900..=1_300).contains(&waited), "{waited}");
     assert_eq!(rig.mode(), ModeName::RudderHold);
-    let now = rig.autopilot.rudder_order().unwrap().deg();
+    let now = rig.autopilot().rudder_order().unwrap().deg();
     assert!((now - order).abs() < 3.0, "{order} -> {now}");
     rig.check_orders();
 }
@@ -90,15 +91,15 @@ fn a_jump_of_the_gyro_is_never_followed() {
 fn a_short_jump_of_the_gyro_is_bridged() {
     let mut rig = Rig::tracking();
     rig.run(120.0);
-    let order = rig.autopilot.rudder_order().unwrap().deg();
-    rig.world.injure(Profile::Gyro1, FaultKind::Jump, true);
+    let order = rig.autopilot().rudder_order().unwrap().deg();
+    rig.injure(Profile::Gyro1, FaultKind::Jump, true);
     rig.run(0.5);
     assert!(rig.raised(Alert::HeadingJump));
-    rig.world.injure(Profile::Gyro1, FaultKind::Jump, false);
+    rig.injure(Profile::Gyro1, FaultKind::Jump, false);
     rig.run(5.0);
     assert_eq!(rig.mode(), ModeName::AutonavTi);
     assert!(!rig.raised(Alert::HeadingJump));
-    let now = rig.autopilot.rudder_order().unwrap().deg();
+    let now = rig.autopilot().rudder_order().unwrap().deg();
     assert!((now - order).abs() < 4.0, "{order} -> {now}");
     rig.check_orders();
 }
@@ -118,7 +119,7 @@ fn a_position_jump_ends_track_control_without_a_turn_towards_it() {
     let mut rig = Rig::tracking();
     rig.run(120.0);
     let heading = rig.heading().deg();
-    assert!(rig.world.injure(Profile::Gps, FaultKind::Jump, true));
+    rig.injure(Profile::Gps, FaultKind::Jump, true);
     rig.until("TRACK FAIL", 2.2, |rig| rig.raised(Alert::TrackFail));
     assert_eq!(rig.mode(), ModeName::Auto);
     assert!((rig.set_heading() - heading).abs() < 1.5);
@@ -130,7 +131,7 @@ fn a_position_jump_ends_track_control_without_a_turn_towards_it() {
     for _ in 0..300 {
         rig.step();
         twin.step();
-        let order = |rig: &Rig| rig.autopilot.rudder_order().unwrap().deg();
+        let order = |rig: &Rig| rig.autopilot().rudder_order().unwrap().deg();
         let apart = (order(&rig) - order(&twin)).abs();
         assert!(apart < 4.0, "{apart} degrees from the twin's order");
     }
@@ -201,10 +202,10 @@ fn no_change_of_mode_steps_the_order() {
     assert_eq!(rig.mode(), ModeName::AutonavTi);
     go(&mut rig, ModeRequest::Auto);
     go(&mut rig, ModeRequest::Standby);
-    let rudder = rig.world.truth().rudder.deg();
+    let rudder = rig.world().truth().rudder.deg();
     rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
     rig.step();
-    let first = rig.autopilot.rudder_order().unwrap().deg();
+    let first = rig.autopilot().rudder_order().unwrap().deg();
     assert!((first - rudder).abs() < 1.0, "{rudder} -> {first}");
     rig.run(30.0);
     rig.check_orders();
@@ -217,7 +218,7 @@ fn lost_rudder_feedback_is_an_alarm_and_rsa_says_v() {
     rig.silence(Profile::Gear, "RSA");
     rig.until("RUDDER", 4.0, |rig| rig.raised(Alert::Rudder));
     assert_eq!(rig.mode(), ModeName::AutonavTi);
-    let status = rig.autopilot.picture().rudder.as_ref().unwrap();
+    let status = rig.autopilot().picture().rudder.as_ref().unwrap();
     assert!(
         status
             .usable(wheelover_core::limits::Quantity::Rudder, rig.now)
@@ -231,12 +232,11 @@ fn lost_rudder_feedback_is_an_alarm_and_rsa_says_v() {
 fn after_a_stall_every_input_must_be_heard_again() {
     let mut rig = Rig::tracking();
     rig.run(20.0);
-    let mut out = Vec::new();
     rig.now = rig.now + 10_000;
-    rig.autopilot
-        .handle(rig.now, Input::Stalled { ms: 10_000 }, &mut out);
+    let out = rig.stall(10_000);
     assert!(rig.raised(Alert::Stalled));
-    assert!(out.is_empty(), "no burst");
+    let said = |output: &VoyageOutput| matches!(output, VoyageOutput::Line(line) if line.dir == Direction::Out);
+    assert!(!out.iter().any(said), "no burst: {out:?}");
     assert!(rig.raised(Alert::TrackFail), "ages count the gap");
     rig.run(30.0);
     rig.check_orders();
@@ -257,7 +257,7 @@ fn a_heading_that_says_v_is_lost() {
                 .next()
                 .unwrap()
                 .replace("HDT", "THS");
-            crate::rig::with_checksum(&body)
+            with_checksum(&body)
         })
     });
     rig.until("RUDDER HOLD", 2.5, |rig| rig.mode() == ModeName::RudderHold);

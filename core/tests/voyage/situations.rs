@@ -13,7 +13,8 @@ struct Row {
 }
 
 fn row(rig: &Rig) -> Row {
-    let decode = |formatter: &str| nmea::decode(rig.line(formatter).as_bytes());
+    let lines = ["HTC", "XTE", "PNEY,001", "PNEY,002"].map(|formatter| rig.line(formatter));
+    let [htc, xte, pney1, pney2] = lines.each_ref().map(|line| nmea::decode(line.as_bytes()));
     for formatter in ["HTC", "XTE", "PNEY,001", "PNEY,002", "GLL", "VTG", "VHW"] {
         let line = rig.line(formatter);
         let sentence = nmea::decode(line.as_bytes());
@@ -25,10 +26,10 @@ fn row(rig: &Rig) -> Row {
         assert!(line.len() <= 80, "{line}");
     }
     Row {
-        htc: Htc::from_sentence(&decode("HTC")).unwrap(),
-        xte: Xte::from_sentence(&decode("XTE")).unwrap(),
-        pney1: Pney1::from_sentence(&decode("PNEY,001")).unwrap(),
-        pney2: Pney2::from_sentence(&decode("PNEY,002")).unwrap(),
+        htc: Htc::from_sentence(&htc).unwrap(),
+        xte: Xte::from_sentence(&xte).unwrap(),
+        pney1: Pney1::from_sentence(&pney1).unwrap(),
+        pney2: Pney2::from_sentence(&pney2).unwrap(),
     }
 }
 
@@ -36,10 +37,10 @@ fn row(rig: &Rig) -> Row {
 fn at_situation(number: u8) -> Rig {
     let mut rig = Rig::tracking();
     rig.until("the situation", 1_200.0, |rig| {
-        rig.chart.situation() == number
+        rig.chart().situation() == number
     });
     rig.run(2.5);
-    assert_eq!(rig.chart.situation(), number);
+    assert_eq!(rig.chart().situation(), number);
     rig
 }
 
@@ -65,10 +66,10 @@ fn same_place(a: Position, b: Position) {
 fn situation_1_not_active() {
     let mut rig = Rig::new(crate::rig::route(&[(245.0, 2.5), (305.0, 2.5)], 0.5), 1);
     rig.run(8.0);
-    assert_eq!(rig.chart.situation(), 1);
+    assert_eq!(rig.chart().situation(), 1);
     let row = row(&rig);
     assert_eq!(
-        fields(rig.line("HTC")),
+        fields(&rig.line("HTC")),
         [
             "$EIHTC", "V", "", "", "S", "N", "", "", "", "", "", "", "", "T", "C"
         ]
@@ -81,12 +82,12 @@ fn situation_1_not_active() {
 
 #[test]
 fn situation_1_without_a_route() {
-    let mut rig = Rig::new(crate::rig::route(&[(245.0, 2.5), (305.0, 2.5)], 0.5), 1);
-    rig.chart.unload();
+    let route = crate::rig::route(&[(245.0, 2.5), (305.0, 2.5)], 0.5);
+    let mut rig = Rig::without_route(route, 1);
     rig.run(8.0);
     // TCS-2: magnitude and direction are null; PNEY,002 is all null.
-    assert_eq!(&fields(rig.line("XTE"))[3..5], ["", ""]);
-    assert_eq!(&fields(rig.line("PNEY,001"))[4..6], ["", ""]);
+    assert_eq!(&fields(&rig.line("XTE"))[3..5], ["", ""]);
+    assert_eq!(&fields(&rig.line("PNEY,001"))[4..6], ["", ""]);
     assert_eq!(row(&rig).pney2, Pney2::default());
 }
 
@@ -95,7 +96,7 @@ fn situation_2_active_on_a_leg() {
     let rig = at_situation(2);
     let row = row(&rig);
     assert_eq!(
-        fields(rig.line("HTC")),
+        fields(&rig.line("HTC")),
         [
             "$EIHTC", "V", "", "", "T", "R", "", "", "", "", "", "", "245.0", "T", "C"
         ]
@@ -141,7 +142,7 @@ fn situation_4_on_the_radius() {
     assert_eq!(id(&row), "WP1");
     same_place(row.pney2.centre.unwrap(), rig.route.turns()[0].centre());
     // XTE is the distance to the arc, PNEY,001 the one to the next leg.
-    let position = rig.world.truth().position;
+    let position = rig.world().truth().position;
     let arc = rig.route.turns()[0].cross_track(position).nm();
     let leg = rig.route.leg(1).cross_track(position).nm();
     near(row.xte.cross_track, arc, 0.006);
@@ -175,7 +176,7 @@ fn situation_6_end_of_route() {
     let rig = at_situation(6);
     let row = row(&rig);
     assert_eq!(
-        fields(rig.line("HTC")),
+        fields(&rig.line("HTC")),
         [
             "$EIHTC", "V", "", "", "S", "N", "", "", "", "", "", "", "", "T", "C"
         ]

@@ -81,8 +81,11 @@ fn a_refusal_that_is_over_leaves_the_reason_line() {
         })
     });
     rig.run(1.0);
-    let why = rig.autopilot.why().to_string();
+    let why = rig.autopilot().why().to_string();
     assert!(why.starts_with("HTC refused: field 12"), "{why}");
     rig.run(2.0);
-    assert_eq!(rig.autopilot.why(), "track controlled by the chart system");
+    assert_eq!(
+        rig.autopilot().why(),
+        "track controlled by the chart system"
+    );
 }

@@ -1,21 +1,22 @@
 //! A port that says what it may not say, and a sensor with one bad sentence among good ones (FE11, SEN-4, FA7).
 
-use crate::rig::{Rig, with_checksum};
+use crate::rig::Rig;
 use wheelover_core::alerts::Alert;
+use wheelover_core::nmea::with_checksum;
 use wheelover_core::station::Profile;
 use wheelover_core::view::ModeName;
 
 /// Says `body(heading)` on a port ten times a second.
 fn say_for(rig: &mut Rig, seconds: f64, profile: Profile, body: impl Fn(f64) -> String) {
     for _ in 0..(seconds * 10.0) as u32 {
-        let heading = rig.world.truth().heading.deg();
+        let heading = rig.world().truth().heading.deg();
         rig.say(profile, &body(heading));
         rig.step();
     }
 }
 
 fn unused(rig: &Rig) -> u64 {
-    let counts = &rig.autopilot.picture().counts;
+    let counts = &rig.autopilot().picture().counts;
     counts.iter().map(|count| count.unused).sum()
 }
 
@@ -43,7 +44,7 @@ fn the_chart_systems_heading_and_rate_never_become_the_ships() {
     });
     say_for(&mut rig, 1.0, Profile::Ecdis, |_| "EITHS,4.0,A".into());
     say_for(&mut rig, 1.0, Profile::Ecdis, |_| "EIROT,90.0,A".into());
-    let picture = rig.autopilot.picture();
+    let picture = rig.autopilot().picture();
     let gyro = |port: usize| picture.ports[port].profile == Profile::Gyro1;
     assert!(picture.headings.iter().all(|heard| gyro(heard.source.port)));
     assert!(picture.rates.iter().all(|heard| gyro(heard.source.port)));
@@ -55,7 +56,7 @@ fn the_chart_systems_rudder_is_no_feedback() {
     rig.silence(Profile::Gear, "RSA");
     say_for(&mut rig, 3.0, Profile::Ecdis, |_| "EIRSA,25.0,A,,V".into());
     assert!(rig.raised(Alert::Rudder));
-    let rudder = rig.autopilot.picture().rudder.as_ref().unwrap();
+    let rudder = rig.autopilot().picture().rudder.as_ref().unwrap();
     assert!(rudder.value.deg().abs() < 20.0, "{rudder:?}");
     rig.check_orders();
 }

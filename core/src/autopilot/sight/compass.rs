@@ -24,6 +24,8 @@ const DRIFT_TIME_S: f64 = 20.0;
 /// One compass that is off what the rate of turn says by this much drifts, where another is on it within that, degrees.
 const DRIFT_DEG: f64 = 3.0;
 const NO_DRIFT_DEG: f64 = 1.0;
+/// Off for so long is a drift; shorter is noise.
+const DRIFT_MS: u64 = 500;
 /// What turned longer ago does not count.
 const STILL_WINDOW_MS: u64 = 30_000;
 
@@ -72,7 +74,8 @@ struct Compass {
     still: Option<Still>,
     /// What the rate of turn makes of its earlier readings.
     expected: Option<Heading>,
-    /// Until when it counts as drifting.
+    /// Since when it is off that, and until when it counts as drifting.
+    off_since: Option<Stamp>,
     drifts_until: Option<Stamp>,
     heading: Option<Heading>,
     doubt: Option<Doubt>,
@@ -131,7 +134,9 @@ impl Compasses {
             .collect();
         let witness = off.iter().flatten().any(|off| *off <= NO_DRIFT_DEG);
         for (compass, off) in self.list.iter_mut().zip(off) {
-            if witness && off.is_some_and(|off| off > DRIFT_DEG) {
+            if !witness || off.is_none_or(|off| off <= DRIFT_DEG) {
+                compass.off_since = None;
+            } else if now.since(*compass.off_since.get_or_insert(now)) >= DRIFT_MS {
                 compass.drifts_until = Some(now + TRUST_MS);
             }
             let drifts = compass.drifts_until.is_some_and(|until| now < until);
@@ -235,6 +240,7 @@ impl Compass {
             guard: HeadingGuard::default(),
             still: None,
             expected: None,
+            off_since: None,
             drifts_until: None,
             heading: None,
             doubt: None,

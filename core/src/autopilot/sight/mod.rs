@@ -31,6 +31,9 @@ pub(super) use source::Preferred;
 use speed::Measure;
 pub(super) use speed::SpeedGuard;
 
+/// A rudder response that is off its order by more is no measure of the rudder that acts: the gear does not follow, or its
+/// feedback lies, and `watch_rudder` says so (FA11).
+const NOT_FOLLOWED_DEG: f64 = 10.0;
 /// Below this speed a course over ground says nothing of the heading, knots.
 const STEERING_KNOTS: f64 = 3.0;
 
@@ -149,11 +152,13 @@ impl Autopilot {
             .iter()
             .filter(|heard| heard.usable(Quantity::Position, now).is_some());
         let said: Vec<_> = usable
-            .map(|heard| Said {
-                source: &heard.source,
-                rank: picture.rank(&heard.source),
-                position: self.at_conning_position(heard),
-                at: heard.at,
+            .filter_map(|heard| {
+                Some(Said {
+                    source: &heard.source,
+                    rank: picture.rank(&heard.source),
+                    position: self.at_conning_position(heard)?,
+                    at: heard.at,
+                })
             })
             .collect();
         let (step, free) = (self.settings.position_jump, !self.mode.row().gives_orders());
@@ -280,21 +285,21 @@ impl Autopilot {
         );
     }
 
-    /// AP-16: where the conning position is by an antenna of ours; the chart system's positions are of it already.
-    fn at_conning_position(&self, heard: &Heard<Fix>) -> Position {
+    /// AP-16: where the conning position is by an antenna of ours, which takes a heading; the chart system's positions are
+    /// of it already.
+    fn at_conning_position(&self, heard: &Heard<Fix>) -> Option<Position> {
         let settings = &self.settings;
         let forward = settings.conning_forward_m - settings.antenna_forward_m;
         let starboard = settings.conning_starboard_m - settings.antenna_starboard_m;
         let ours = self.post.ports()[heard.source.port].profile != Profile::Ecdis;
-        match self.heading {
-            Some(heading) if ours && (forward, starboard) != (0.0, 0.0) => {
-                let there = Point::default()
-                    .towards(heading.deg(), forward)
-                    .towards(heading.deg() + 90.0, starboard);
-                Plane::at(heard.value.position).position(there)
-            }
-            _ => heard.value.position,
+        if !ours || (forward, starboard) == (0.0, 0.0) {
+            return Some(heard.value.position);
         }
+        let bow = self.heading?.deg();
+        let there = Point::default()
+            .towards(bow, forward)
+            .towards(bow + 90.0, starboard);
+        Some(Plane::at(heard.value.position).position(there))
     }
 
     /// What the receiver in use said last.
@@ -309,7 +314,11 @@ impl Autopilot {
         Some(Measured {
             heading: self.heading?,
             rate: self.rate,
-            rudder: self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder),
+            rudder: self
+                .fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder)
+                .filter(|response| {
+                    libm::fabs(response.deg() - self.order.deg()) <= NOT_FOLLOWED_DEG
+                }),
             water_speed: Some(self.speed()),
             ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
             position: self.position_guard.fix(now),

@@ -143,6 +143,18 @@ fn a_compass_that_drifts_is_left_for_one_that_does_not() {
     }
 }
 
+// A noise of one degree and a single reading that is off are no drift.
+#[test]
+fn a_noisy_compass_is_not_left() {
+    let mut bench = bench();
+    for step in 0..3_000_u32 {
+        let noise = f64::from(step * 7_919 % 101) / 101.0 * 4.0 - 2.0;
+        let off = if step % 100 == 50 { 4.0 } else { noise };
+        let seen = bench.step(&[Some(100.0 + off), Some(100.0)], 0.0);
+        assert_eq!(seen.1, Some(0), "{step}");
+    }
+}
+
 // A rate of turn that lies is no witness against both.
 #[test]
 fn compasses_that_agree_are_believed_against_the_rate_of_turn() {
