@@ -3,6 +3,7 @@
 //! Nothing here sleeps where an event can be waited for; deadlines are generous, since machines are busy.
 
 pub mod browser;
+pub mod foreign;
 pub mod http;
 pub mod page;
 pub mod program;

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod dialogue;
+mod foreign;
 mod golden;
 mod hostile;
 mod no_route;
