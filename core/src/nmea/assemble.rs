@@ -102,7 +102,8 @@ struct Open {
     began: Stamp,
 }
 
-struct Part {
+/// Its place in its message.
+struct Place {
     key: Key,
     total: u32,
     number: u32,
@@ -130,26 +131,26 @@ impl Assembler {
 
     /// Takes a sentence; gives the message that it completes. A faulty or strange part ends its message.
     pub fn push(&mut self, now: Stamp, sentence: &Sentence<'_>) -> Option<Message> {
-        let part = part(sentence)?;
+        let place = place(sentence)?;
         self.open.retain(|open| now.since(open.began) <= OLDEST_MS);
         let at = self
             .open
             .iter()
-            .position(|open| open.key == part.key.bytes());
+            .position(|open| open.key == place.key.bytes());
         let whole = !sentence.checksum.is_right() || !sentence.field_faults().is_empty();
         if whole
-            || part.total == 0
-            || part.number == 0
-            || part.number > part.total
-            || part.total > MOST_PARTS
+            || place.total == 0
+            || place.number == 0
+            || place.number > place.total
+            || place.total > MOST_PARTS
         {
             at.map(|at| self.open.remove(at));
             return None;
         }
-        if part.number == 1 {
+        if place.number == 1 {
             at.map(|at| self.open.remove(at));
-            let open = Open::new(now, &part, sentence);
-            if part.total == 1 {
+            let open = Open::new(now, &place, sentence);
+            if place.total == 1 {
                 return open.close(sentence);
             }
             self.open.push(open);
@@ -157,12 +158,12 @@ impl Assembler {
             return None;
         }
         let open = self.open.get_mut(at?)?;
-        if open.total != part.total || open.parts + 1 != part.number {
+        if open.total != place.total || open.parts + 1 != place.number {
             self.open.remove(at?);
             return None;
         }
         open.add(sentence);
-        if part.number == part.total {
+        if place.number == place.total {
             return self.open.remove(at?).close(sentence);
         }
         self.bound();
@@ -176,8 +177,8 @@ impl Assembler {
     }
 }
 
-/// Which message a sentence is a part of.
-fn part(sentence: &Sentence<'_>) -> Option<Part> {
+/// Which message a sentence is a part of, and which one.
+fn place(sentence: &Sentence<'_>) -> Option<Place> {
     // Fields that tell messages apart, besides talker and formatter.
     let marks: &[usize] = match sentence.formatter {
         "ALF" | "ALC" | "TTD" | "ABM" | "BBM" => &[3],
@@ -198,7 +199,7 @@ fn part(sentence: &Sentence<'_>) -> Option<Part> {
     if sentence.formatter == "GSV" && sentence.fields.len().is_multiple_of(4) {
         key.add(sentence.fields.get(sentence.fields.len()));
     }
-    Some(Part {
+    Some(Place {
         key,
         total: number(1).unwrap_or(0),
         number: number(2).unwrap_or(0),
@@ -242,15 +243,15 @@ fn payload_of(formatter: &str) -> Option<usize> {
 
 // The parts have no faults, so that their fields can be taken as they stand.
 impl Open {
-    fn new(now: Stamp, part: &Part, first: &Sentence<'_>) -> Self {
+    fn new(now: Stamp, place: &Place, first: &Sentence<'_>) -> Self {
         let (destination, message) = match first.formatter {
             "ABM" => (number(first, 4), number(first, 6)),
             "BBM" => (None, number(first, 5)),
             _ => (None, None),
         };
         let mut open = Self {
-            key: part.key.bytes().into(),
-            total: part.total,
+            key: place.key.bytes().into(),
+            total: place.total,
             parts: 0,
             text: String::with_capacity(128),
             destination,

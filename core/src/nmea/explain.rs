@@ -66,9 +66,9 @@ pub enum FieldValue<'a> {
     Date(Date),
 }
 
-/// Which part of a member a wire field is.
+/// What of a member a wire field holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum Facet {
     Whole,
     Side,
     Unit,
@@ -78,11 +78,11 @@ pub(super) enum Part {
     LongitudeSide,
 }
 
-/// Name of a wire field: its member, its part and the entry of the group.
+/// Name of a wire field: its member, what of it, and the entry of the group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Name {
     pub(super) member: &'static str,
-    pub(super) part: Part,
+    pub(super) facet: Facet,
     pub(super) entry: usize,
 }
 
@@ -163,7 +163,7 @@ fn plain<'a>(
         n,
         name: Name {
             member: name,
-            part: Part::Whole,
+            facet: Facet::Whole,
             entry: 0,
         },
         raw,
@@ -191,12 +191,12 @@ fn member<'a>(
         _ => texts.group,
     };
     let words = list.get(item.index).unwrap_or(&NOTHING);
-    let mut push = |offset: usize, part, value, unit, meaning| {
+    let mut push = |offset: usize, facet, value, unit, meaning| {
         let n = item.field + offset;
         if n <= sentence.fields.len() {
             let name = Name {
                 member: words.name,
-                part,
+                facet,
                 entry: item.entry,
             };
             let raw = sentence.fields.get(n);
@@ -221,38 +221,38 @@ fn member<'a>(
         _ => (FieldValue::None, 0),
     };
     match item.kind {
-        Kind::Number(format) => push(0, Part::Whole, number, format.unit.name(), None),
+        Kind::Number(format) => push(0, Facet::Whole, number, format.unit.name(), None),
         Kind::Integer(format) => push(
             0,
-            Part::Whole,
+            Facet::Whole,
             integer(item.value),
             format.unit.name(),
             None,
         ),
         Kind::Lettered(format, _) => {
-            push(0, Part::Whole, number, format.unit.name(), None);
+            push(0, Facet::Whole, number, format.unit.name(), None);
             let (value, letter) = letter(1);
             push(
                 1,
-                Part::Unit,
+                Facet::Unit,
                 value,
                 None,
                 unit_meaning(letter, format.unit.name()),
             );
         }
         Kind::Sided(format, sides) => {
-            push(0, Part::Whole, number, format.unit.name(), None);
+            push(0, Facet::Whole, number, format.unit.name(), None);
             let (value, letter) = letter(1);
-            push(1, Part::Side, value, None, side_meaning(letter, *sides));
+            push(1, Facet::Side, value, None, side_meaning(letter, *sides));
         }
         Kind::Crossed(format, sides, _) => {
-            push(0, Part::Whole, number, format.unit.name(), None);
+            push(0, Facet::Whole, number, format.unit.name(), None);
             let (value, side) = letter(1);
-            push(1, Part::Side, value, None, side_meaning(side, *sides));
+            push(1, Facet::Side, value, None, side_meaning(side, *sides));
             let (value, unit) = letter(2);
             push(
                 2,
-                Part::Unit,
+                Facet::Unit,
                 value,
                 None,
                 unit_meaning(unit, format.unit.name()),
@@ -269,7 +269,7 @@ fn member<'a>(
                 }
                 _ => (FieldValue::None, None),
             };
-            push(0, Part::Whole, value, None, meaning);
+            push(0, Facet::Whole, value, None, meaning);
         }
         Kind::Position(_) => {
             // Each half for itself: one may be right although the position is not.
@@ -285,32 +285,32 @@ fn member<'a>(
             };
             let (lat, lon) = (half(0, 2), half(2, 3));
             let unit = Some("deg");
-            push(0, Part::Latitude, lat, unit, None);
+            push(0, Facet::Latitude, lat, unit, None);
             let (value, side) = letter(1);
-            push(1, Part::LatitudeSide, value, None, compass(side));
-            push(2, Part::Longitude, lon, unit, None);
+            push(1, Facet::LatitudeSide, value, None, compass(side));
+            push(2, Facet::Longitude, lon, unit, None);
             let (value, side) = letter(3);
-            push(3, Part::LongitudeSide, value, None, compass(side));
+            push(3, Facet::LongitudeSide, value, None, compass(side));
         }
         Kind::Angle { .. } => {
             let value = item
                 .value
                 .number()
                 .map_or(FieldValue::None, FieldValue::Number);
-            push(0, Part::Whole, value, Some("deg"), None);
+            push(0, Facet::Whole, value, Some("deg"), None);
             let (value, side) = letter(1);
-            push(1, Part::Side, value, None, compass(side));
+            push(1, Facet::Side, value, None, compass(side));
         }
         Kind::Words(list) => {
             let at = list
                 .iter()
                 .position(|word| item.value == Value::Text(word.as_bytes()));
             let meaning = at.and_then(|at| words.meanings.get(at).copied());
-            push(0, Part::Whole, typed(item.value), None, meaning);
+            push(0, Facet::Whole, typed(item.value), None, meaning);
         }
-        Kind::Hex(_) => push(0, Part::Whole, integer(item.value), None, None),
+        Kind::Hex(_) => push(0, Facet::Whole, integer(item.value), None, None),
         Kind::Time | Kind::Date | Kind::Text(_) | Kind::Letters(..) | Kind::Payload | Kind::Any => {
-            push(0, Part::Whole, typed(item.value), None, None);
+            push(0, Facet::Whole, typed(item.value), None, None);
         }
     }
 }
@@ -340,7 +340,7 @@ impl Explanation<'_> {
     pub fn field(&self, name: &str) -> Option<&Field<'_>> {
         self.fields
             .iter()
-            .find(|f| f.name.part == Part::Whole && f.name.member == name)
+            .find(|f| f.name.facet == Facet::Whole && f.name.member == name)
     }
 }
 

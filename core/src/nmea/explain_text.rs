@@ -1,17 +1,17 @@
 //! Names, values and meanings of an explanation as text.
 
 use super::decimal::{Decimal, POW10};
-use super::explain::{FieldValue, Name, Part};
+use super::explain::{Facet, FieldValue, Name};
 use super::table::Sides;
 use super::{Date, UtcTime};
 use core::fmt;
 
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let angle = match self.part {
-            Part::Whole | Part::Side | Part::Unit => None,
-            Part::Latitude | Part::LatitudeSide => Some("latitude"),
-            Part::Longitude | Part::LongitudeSide => Some("longitude"),
+        let angle = match self.facet {
+            Facet::Whole | Facet::Side | Facet::Unit => None,
+            Facet::Latitude | Facet::LatitudeSide => Some("latitude"),
+            Facet::Longitude | Facet::LongitudeSide => Some("longitude"),
         };
         match angle {
             Some(angle) if self.member == "position" => f.write_str(angle)?,
@@ -20,9 +20,9 @@ impl fmt::Display for Name {
             None if self.member == "override_status" => f.write_str("override")?,
             None => f.write_str(self.member)?,
         }
-        match self.part {
-            Part::Side | Part::LatitudeSide | Part::LongitudeSide => f.write_str("_side")?,
-            Part::Unit => f.write_str("_unit")?,
+        match self.facet {
+            Facet::Side | Facet::LatitudeSide | Facet::LongitudeSide => f.write_str("_side")?,
+            Facet::Unit => f.write_str("_unit")?,
             _ => {}
         }
         if self.entry > 0 {

@@ -24,14 +24,14 @@ pub struct Values<'a> {
     /// The address, with the sub-address where there is one.
     head: &'a str,
     /// What the fields behind it hold.
-    fields: Vec<Part<'a>>,
+    fields: Vec<Content<'a>>,
     /// Room for the longest line that they may become.
     room: usize,
 }
 
 /// What one field holds.
 #[derive(Clone, Copy, Debug)]
-enum Part<'a> {
+enum Content<'a> {
     /// Nothing.
     Null,
     /// A number with the sign that it has.
@@ -44,7 +44,7 @@ enum Part<'a> {
     Hex(Decimal),
 }
 
-impl Part<'_> {
+impl Content<'_> {
     /// The most characters that it takes with its comma.
     fn room(&self) -> usize {
         match self {
@@ -78,10 +78,10 @@ impl<'a> Values<'a> {
             &mut Vec::new(),
         );
         // A line that ends inside a member, and one that goes on behind the last.
-        fields.resize(count, Part::Null);
+        fields.resize(count, Content::Null);
         let room = fields
             .iter()
-            .fold(head.len(), |sum, part| sum + part.room());
+            .fold(head.len(), |sum, content| sum + content.room());
         Some(Self {
             delimiter: definition.delimiter,
             head,
@@ -103,16 +103,16 @@ impl<'a> Values<'a> {
         // The delimiter is no part of the sum.
         pen.sum = 0;
         pen.text(self.head.as_bytes());
-        for part in &self.fields {
-            match part {
-                Part::Null => pen.byte(b','),
-                Part::Letter(letter) => pen.pair(b',', *letter),
-                Part::Number(number) => pen.number(*number),
-                Part::Text(text) => {
+        for content in &self.fields {
+            match content {
+                Content::Null => pen.byte(b','),
+                Content::Letter(letter) => pen.pair(b',', *letter),
+                Content::Number(number) => pen.number(*number),
+                Content::Text(text) => {
                     pen.byte(b',');
                     pen.text(text);
                 }
-                Part::Hex(number) => {
+                Content::Hex(number) => {
                     pen.byte(b',');
                     hex_digits_of(number.mantissa(), number.whole(), |digit| pen.byte(digit));
                 }
@@ -124,19 +124,19 @@ impl<'a> Values<'a> {
 }
 
 /// What the fields of a member hold.
-fn member<'a>(item: &Item<'a>, sentence: &Sentence<'a>, fields: &mut Vec<Part<'a>>) {
+fn member<'a>(item: &Item<'a>, sentence: &Sentence<'a>, fields: &mut Vec<Content<'a>>) {
     // A letter that was left out stays out, a side without a magnitude stays.
     let letter = |offset: usize, allowed: &[u8]| match sentence.fields.get(item.field + offset) {
-        [letter] if allowed.contains(letter) => Part::Letter(*letter),
-        _ => Part::Null,
+        [letter] if allowed.contains(letter) => Content::Letter(*letter),
+        _ => Content::Null,
     };
     let side = |offset, sides: Sides| letter(offset, &[sides.negative, sides.positive]);
     let magnitude = |value| match value {
-        Value::Number(number) => Part::Number(number.without_sign()),
-        _ => Part::Null,
+        Value::Number(number) => Content::Number(number.without_sign()),
+        _ => Content::Null,
     };
     match *item.kind {
-        Kind::Lettered(_, unit) => fields.extend([part(item.value), letter(1, &[unit])]),
+        Kind::Lettered(_, unit) => fields.extend([content(item.value), letter(1, &[unit])]),
         Kind::Sided(_, sides) => fields.extend([magnitude(item.value), side(1, sides)]),
         Kind::Crossed(_, sides, unit) => {
             fields.extend([magnitude(item.value), side(1, sides), letter(2, &[unit])]);
@@ -146,32 +146,34 @@ fn member<'a>(item: &Item<'a>, sentence: &Sentence<'a>, fields: &mut Vec<Part<'a
                 fields.extend(half(latitude, b'N', b'S'));
                 fields.extend(half(longitude, b'E', b'W'));
             }
-            _ => fields.extend([Part::Null; 4]),
+            _ => fields.extend([Content::Null; 4]),
         },
         Kind::Angle { degrees, .. } => match item.value {
             Value::Angle(angle) if degrees == 2 => fields.extend(half(angle, b'N', b'S')),
             Value::Angle(angle) => fields.extend(half(angle, b'E', b'W')),
-            _ => fields.extend([Part::Null; 2]),
+            _ => fields.extend([Content::Null; 2]),
         },
         Kind::Hex(_) => fields.push(match item.value {
-            Value::Number(number) => Part::Hex(number),
-            _ => Part::Null,
+            Value::Number(number) => Content::Hex(number),
+            _ => Content::Null,
         }),
-        _ => fields.push(part(item.value)),
+        _ => fields.push(content(item.value)),
     }
 }
 
-fn half<'a>(angle: Decimal, positive: u8, negative: u8) -> [Part<'a>; 2] {
+fn half<'a>(angle: Decimal, positive: u8, negative: u8) -> [Content<'a>; 2] {
     let side = if angle.negative() { negative } else { positive };
-    [Part::Number(angle.without_sign()), Part::Letter(side)]
+    [Content::Number(angle.without_sign()), Content::Letter(side)]
 }
 
-fn part(value: Value<'_>) -> Part<'_> {
+fn content(value: Value<'_>) -> Content<'_> {
     match value {
-        Value::Number(number) | Value::Time(number) | Value::Date(number) => Part::Number(number),
-        Value::Code(letter) => Part::Letter(letter),
-        Value::Text(text) => Part::Text(text),
-        Value::Null | Value::Invalid | Value::Position(..) | Value::Angle(_) => Part::Null,
+        Value::Number(number) | Value::Time(number) | Value::Date(number) => {
+            Content::Number(number)
+        }
+        Value::Code(letter) => Content::Letter(letter),
+        Value::Text(text) => Content::Text(text),
+        Value::Null | Value::Invalid | Value::Position(..) | Value::Angle(_) => Content::Null,
     }
 }
 

@@ -171,7 +171,7 @@ impl Scale {
 
 /// Degrees to the seventh decimal, a centimetre.
 #[inline(always)]
-fn degrees<const STEPS: i64>(raw: i32) -> f64 {
+pub(super) fn degrees<const STEPS: i64>(raw: i32) -> f64 {
     let raw = i64::from(raw) * 10_000_000;
     let half = if raw < 0 { -STEPS / 2 } else { STEPS / 2 };
     ((raw + half) / STEPS) as f64 / 1e7

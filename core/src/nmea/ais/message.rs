@@ -3,6 +3,7 @@
 use super::bits::{Bits, NoArmour};
 use super::fault::{MessageFault, MessageFaultKind};
 use super::field::{Field, Item};
+use super::plan::plan;
 use super::tables::{BINARY, HEADER, TEXT, UNSTRUCTURED, layout};
 use super::value::Value;
 use super::walk::Walk;
@@ -183,7 +184,15 @@ impl<'p> RadioMessage<'p> {
     /// Gives every field to `sink`, in the order of the message, and what is wrong to `faults`.
     #[inline]
     pub fn walk<'m>(&'m self, mut sink: impl FnMut(Entry<'m>), faults: &mut Vec<MessageFault>) {
-        self.walk_by(&mut sink, faults);
+        // What is no whole message, or a part of one, has no header.
+        if self.fault.is_none()
+            && let ([_, ..], Some(kind)) = (self.items[0], self.kind)
+            && let Some(plan) = plan(kind, &self.bits)
+        {
+            plan.walk(&self.bits, &mut sink, faults);
+        } else {
+            self.walk_by(&mut sink, faults);
+        }
     }
 
     /// As [`Self::walk`], in one copy for all callers that are not pressed for time.

@@ -12,6 +12,7 @@ mod field;
 mod gather;
 mod json;
 mod message;
+mod plan;
 mod tables;
 mod value;
 mod walk;

@@ -168,6 +168,17 @@ fn ask_all(gathered: &Gathered<'_>) {
     );
     let (messages, _) = gathered.messages();
     for message in &messages {
+        // The plan and the table give the same.
+        let (mut planned, mut faults) = (Vec::new(), Vec::new());
+        message.walk(
+            |entry| planned.push((entry.name(), entry.group, entry.entry, entry.value)),
+            &mut faults,
+        );
+        let entries = message.entries();
+        let walked = entries.iter();
+        let walked = walked.map(|entry| (entry.name(), entry.group, entry.entry, entry.value));
+        assert_eq!(planned, walked.collect::<Vec<_>>(), "{text}");
+        assert_eq!(faults, message.faults(), "{text}");
         for entry in message.entries() {
             match entry.value {
                 Value::Number(value) | Value::AtLeast(value) => assert!(value.is_finite()),

@@ -4,6 +4,8 @@ use super::bits::Bits;
 use core::fmt;
 
 /// The typed value of a field.
+// What it holds begins at one place, whatever it is: else a flag is copied in pieces, which a processor has to wait for.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value<'m> {
     /// Not available, or faulty.

@@ -192,13 +192,7 @@ impl<'w, 'm, F: FnMut(Entry<'m>) + ?Sized> Walk<'w, 'm, F> {
 
     /// A coded value that does not mean itself.
     fn strange(&mut self, field: &'static Field, scale: &Scale, raw: i32) -> Value<'m> {
-        if raw == scale.top {
-            return Value::AtLeast(scale.value(raw));
-        }
-        if raw != scale.none && raw != scale.none_too {
-            self.out_of_range(field);
-        }
-        Value::Null
+        strange(field, scale, raw, self.faults)
     }
 
     #[inline(always)]
@@ -223,19 +217,30 @@ impl<'w, 'm, F: FnMut(Entry<'m>) + ?Sized> Walk<'w, 'm, F> {
             self.give(field, value);
         }
     }
+}
 
-    #[cold]
-    fn out_of_range(&mut self, field: &'static Field) {
-        self.faults.push(MessageFault {
+/// A coded value that does not mean itself.
+pub(super) fn strange<'m>(
+    field: &'static Field,
+    scale: &Scale,
+    raw: i32,
+    faults: &mut Vec<MessageFault>,
+) -> Value<'m> {
+    if raw == scale.top {
+        return Value::AtLeast(scale.value(raw));
+    }
+    if raw != scale.none && raw != scale.none_too {
+        faults.push(MessageFault {
             field: Some(field.name),
             kind: MessageFaultKind::OutOfRange,
         });
     }
+    Value::Null
 }
 
 /// A coded rate of turn.
 #[inline(always)]
-fn turn<'m>(raw: i32) -> Value<'m> {
+pub(super) fn turn<'m>(raw: i32) -> Value<'m> {
     match raw {
         -128 => Value::Null,
         127 | -127 => Value::AtLeast(NO_INDICATOR * f64::from(raw.signum())),

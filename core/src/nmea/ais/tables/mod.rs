@@ -28,9 +28,9 @@ pub(super) fn layout(kind: u8) -> Option<&'static Layout> {
     LAYOUTS.get(usize::from(kind)).copied().flatten()
 }
 
-const KINDS: usize = 28;
+pub(super) const KINDS: usize = 28;
 
-static LAYOUTS: [Option<&Layout>; KINDS] = {
+pub(super) static LAYOUTS: [Option<&Layout>; KINDS] = {
     let lists: [&[Layout]; 4] = [
         report::LAYOUTS,
         statics::LAYOUTS,

@@ -1,0 +1,205 @@
+//! A table of a message laid out once: every field at its bit, what depends on others reached by one look.
+//!
+//! Made of the tables when the program is built, for messages whose fields stand at fixed places. The others, and
+//! messages that end early, are walked by their tables (`walk`); both give the same.
+
+use super::bits::Bits;
+use super::fault::MessageFault;
+use super::field::{Field, Kind, degrees};
+use super::message::Entry;
+use super::tables::{HEADER, KINDS, LAYOUTS};
+use super::value::{SixBitText, Value};
+use super::walk::{self, auxiliary, turn};
+use alloc::vec::Vec;
+
+mod lay;
+
+/// The most steps of a message; one with more has no plan.
+const STEPS: usize = 40;
+/// No step.
+const END: u8 = u8::MAX;
+
+/// What is done at a step.
+#[derive(Clone, Copy)]
+enum Op {
+    /// A whole number, or a code of which the least value may mean "not available".
+    Whole,
+    /// A code that means "not available" by a value among others.
+    Code,
+    /// A number in tenths.
+    Tenths,
+    /// An angle in 1/10000 minute.
+    Fine,
+    /// An angle in 1/10 minute.
+    Coarse,
+    Flag,
+    Text,
+    /// What goes to the end.
+    Rest,
+    Turn,
+    /// Goes on where a field of at most three bits says.
+    Switch,
+    /// Goes on where the kind of craft says.
+    Craft,
+}
+
+#[derive(Clone, Copy)]
+struct Step {
+    field: &'static Field,
+    at: u16,
+    /// How far its bits are from the end of a word of 64.
+    shift: u8,
+    op: Op,
+    /// The step behind it.
+    next: u8,
+    /// The bit of the sign; none of an unsigned number.
+    sign: u32,
+    low: i32,
+    span: u32,
+    /// What is added to the coded value; of a code the value that means "not available".
+    more: i32,
+}
+
+/// The steps of a message type.
+#[derive(Clone, Copy)]
+pub(super) struct Plan {
+    steps: [Step; STEPS],
+    /// Where a switch goes on, by the number of the switch and what it reads.
+    targets: [[u8; 8]; 2],
+    count: usize,
+    switches: usize,
+    /// Bits that a message must have to be read by it.
+    bits: usize,
+    fits: bool,
+}
+
+static NOTHING: Field = Field {
+    name: "",
+    width: 1,
+    kind: Kind::Spare,
+    note: "",
+};
+
+const FIRST: Step = Step {
+    field: &NOTHING,
+    at: 0,
+    shift: 0,
+    op: Op::Flag,
+    next: 0,
+    sign: 0,
+    low: 0,
+    span: 0,
+    more: 0,
+};
+
+static PLANS: [Option<Plan>; KINDS] = {
+    let mut plans = [const { None }; KINDS];
+    let mut kind = 0;
+    while kind < KINDS {
+        if let Some(layout) = LAYOUTS[kind] {
+            let (plan, at) = Plan::EMPTY.with(HEADER, 0);
+            let (plan, _) = plan.with(layout.items, at);
+            if plan.fits {
+                plans[kind] = Some(plan.closed());
+            }
+        }
+        kind += 1;
+    }
+    plans
+};
+
+/// A coded value that does not mean itself.
+#[inline(never)]
+fn strange<'m>(field: &'static Field, raw: i32, faults: &mut Vec<MessageFault>) -> Value<'m> {
+    let (Kind::Whole(scale) | Kind::Number(scale)) = &field.kind else {
+        return Value::Null;
+    };
+    walk::strange(field, scale, raw, faults)
+}
+
+/// The plan of a message type, where it has one and the message goes so far.
+#[inline(always)]
+pub(super) fn plan(kind: u8, bits: &Bits) -> Option<&'static Plan> {
+    let plan = PLANS.get(usize::from(kind))?.as_ref()?;
+    (bits.len() >= plan.bits).then_some(plan)
+}
+
+impl Plan {
+    const EMPTY: Self = Self {
+        steps: [FIRST; STEPS],
+        targets: [[0; 8]; 2],
+        count: 0,
+        switches: 0,
+        bits: 0,
+        fits: true,
+    };
+
+    /// Gives every field to `sink`, and what is wrong to `faults`.
+    #[inline(always)]
+    pub(super) fn walk<'m>(
+        &'static self,
+        bits: &'m Bits,
+        sink: &mut impl FnMut(Entry<'m>),
+        faults: &mut Vec<MessageFault>,
+    ) {
+        let mut next = 0;
+        while let Some(step) = self.steps.get(next) {
+            next = usize::from(step.next);
+            let at = usize::from(step.at);
+            let raw = ((bits.window(at) >> step.shift) as u32 ^ step.sign).wrapping_sub(step.sign);
+            let raw = raw as i32;
+            let holds = raw.wrapping_sub(step.low) as u32 <= step.span;
+            let value = match step.op {
+                Op::Whole if holds => Value::Integer(i64::from(raw.wrapping_add(step.more))),
+                Op::Code if raw != step.more => Value::Integer(i64::from(raw)),
+                Op::Tenths if holds => Value::Number(f64::from(raw) / 10.0),
+                Op::Fine if holds => Value::Number(degrees::<600_000>(raw)),
+                Op::Coarse if holds => Value::Number(degrees::<600>(raw)),
+                Op::Whole | Op::Code | Op::Tenths | Op::Fine | Op::Coarse => {
+                    strange(step.field, raw, faults)
+                }
+                Op::Flag => Value::Flag(raw != 0),
+                Op::Text => {
+                    let text = SixBitText::read(bits, at, step.field.width / 6);
+                    text.map_or(Value::Null, Value::Text)
+                }
+                Op::Rest => step.field.read_rest(bits, at),
+                Op::Turn => turn(i32::from(raw as i8)),
+                Op::Switch => {
+                    next = self.target(step, raw as usize);
+                    continue;
+                }
+                Op::Craft => {
+                    next = self.target(step, usize::from(auxiliary(bits.get(8, 30))));
+                    continue;
+                }
+            };
+            sink(Entry {
+                group: None,
+                entry: 0,
+                value,
+                field: step.field,
+            });
+        }
+    }
+
+    #[inline(always)]
+    fn target(&self, step: &Step, value: usize) -> usize {
+        usize::from(self.targets[step.low as usize & 1][value & 7])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_with_fixed_places_have_a_plan() {
+        let planned = (0..KINDS).filter(|kind| PLANS[*kind].is_some());
+        let planned: Vec<usize> = planned.collect();
+        assert_eq!(
+            planned,
+            [1, 2, 3, 4, 5, 9, 10, 11, 12, 14, 18, 19, 21, 22, 23, 24, 27]
+        );
+    }
+}
