@@ -10,8 +10,10 @@ mod autopilot;
 mod cadence;
 mod chart;
 mod fields;
+mod report;
 mod timed;
 
+pub use report::{Breach, Span};
 pub use timed::{Timed, timed};
 
 use crate::nmea::{self, FaultKind, Gll, Htc, Pney1, Pney2, Sentence, Xte};
@@ -21,6 +23,7 @@ use alloc::vec::Vec;
 use autopilot::AutopilotRules;
 use cadence::Cadence;
 use chart::ChartRules;
+use report::{Burst, Report};
 use serde::{Deserialize, Serialize};
 
 /// What the chart system sends each second.
@@ -29,66 +32,6 @@ const CHART: [&str; 7] = ["HTC", "XTE", "PNEY,001", "PNEY,002", "GLL", "VTG", "V
 const AUTOPILOT: [&str; 3] = ["HTD", "RSA", "ROR"];
 /// Lines farther apart belong to different bursts, seconds.
 const BURST_GAP_S: f64 = 0.25;
-
-/// A breach of the rules of the dialogue.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Breach {
-    /// Time of the line, seconds; null where the lines have no time.
-    pub at: Option<f64>,
-    /// Number of the line at which it was seen.
-    pub line: u64,
-    /// The rule, by its ID.
-    pub rule: String,
-    /// Situation in force; null in heading control and before the first HTC.
-    pub situation: Option<u8>,
-    /// What is wrong.
-    pub text: String,
-}
-
-/// A situation and how long it lasted.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Span {
-    /// 1 to 6.
-    pub situation: u8,
-    /// Time of its first burst, seconds.
-    pub from: Option<f64>,
-    /// Time of its last burst, seconds.
-    pub to: Option<f64>,
-}
-
-/// What the chart system said in one second.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct Burst {
-    line: u64,
-    at: Option<f64>,
-    last: Option<f64>,
-    heard: Vec<String>,
-    htc: Option<Htc>,
-    xte: Option<Xte>,
-    pney1: Option<Pney1>,
-    pney2: Option<Pney2>,
-    gll: Option<Gll>,
-}
-
-/// Collects breaches with the moment they belong to.
-struct Report<'a> {
-    at: Option<f64>,
-    line: u64,
-    situation: Option<u8>,
-    breaches: &'a mut Vec<Breach>,
-}
-
-impl Report<'_> {
-    fn breach(&mut self, rule: &str, text: impl Into<String>) {
-        self.breaches.push(Breach {
-            at: self.at,
-            line: self.line,
-            rule: rule.into(),
-            situation: self.situation,
-            text: text.into(),
-        });
-    }
-}
 
 /// The checker of one dialogue.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]

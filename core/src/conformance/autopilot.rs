@@ -1,7 +1,7 @@
 //! The autopilot's side: HTD, RSA and ROR against what was commanded.
 
-use super::Report;
 use super::chart::{ChartRules, LastCommand};
+use super::report::Report;
 use crate::nmea::{
     DataStatus, Htd, LimitStatus, OverrideStatus, Ror, Sentence, SteeringMode, TurnMode,
 };

@@ -1,6 +1,6 @@
 //! Cadence: a period of 0.8 to 1.2 s, no gap over 1.5 s, no sentence missing (CON-1).
 
-use super::Report;
+use super::report::Report;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;

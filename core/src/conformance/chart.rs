@@ -1,7 +1,7 @@
 //! The chart system's side: the situation of each burst, and the rules of the situation table.
 
 use super::fields;
-use super::{Burst, Report};
+use super::report::{Burst, Report};
 use crate::geo::{Plane, Point, Position};
 use crate::nmea::{DataStatus, Htc, SteeringMode};
 use alloc::format;

@@ -1,6 +1,6 @@
 //! The rules on the fields of one burst by themselves: which are null, which go together.
 
-use super::{Burst, Report};
+use super::report::{Burst, Report};
 use crate::nmea::{CommandStatus, DataStatus, Htc, OverrideStatus, TurnMode};
 use crate::units::wrap_180;
 use alloc::format;
