@@ -20,7 +20,7 @@ const OPEN: [(&str, &str); 13] = [
     ("core voyage", ". conduct see setup"),
     ("web ", "app asking bridge deck later link top"),
     ("web link", ". socket voyage"),
-    ("web plan", "scene ship track"),
+    ("web plan", "foreign scene ship track"),
 ];
 
 fn core() -> &'static Needs {
