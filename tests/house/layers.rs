@@ -17,7 +17,7 @@ const OPEN: [(&str, &str); 13] = [
     ("core recording", ". first_format form"),
     ("core route", ". embedded fit leg progress turn"),
     ("core view", ". own route voyage"),
-    ("core voyage", ". conduct see setup"),
+    ("core voyage", ". conduct see setup tap"),
     ("web ", "app asking bridge deck later link top"),
     ("web link", ". socket voyage"),
     ("web plan", "foreign scene ship track"),
