@@ -66,7 +66,8 @@ pub struct Autopilot {
     speed_guard: SpeedGuard,
     remote: Remote,
     stalled_since: Option<Stamp>,
-    off_heading_since: Option<Stamp>,
+    /// Off the set heading: since when she has not come nearer, how far off, and off what.
+    off_heading_since: Option<(Stamp, f64, Heading)>,
     rudder_error_since: Option<Stamp>,
     /// Alert reports that wait for their share of the line (AP-11).
     reports: VecDeque<Alert>,

@@ -10,13 +10,15 @@ use crate::nmea::{
 use crate::path::Part;
 use crate::station::{Output, Profile};
 use crate::time::Stamp;
-use crate::units::RudderAngle;
+use crate::units::{Heading, RudderAngle};
 use alloc::vec::Vec;
 
 /// The autopilot's talker (SEN-3).
 const TALKER: &str = "AG";
 /// Off the set heading for so long before the alert, which a turn would else raise.
 const OFF_HEADING_MS: u64 = 60_000;
+/// A turn brings her nearer by at least so much, degrees.
+const NEARER_DEG: f64 = 1.0;
 /// Order and response may differ by so much, degrees, for so long beyond the time to go (FA11).
 const RUDDER_ERROR_DEG: f64 = 5.0;
 const RUDDER_ERROR_MS: u64 = 5_000;
@@ -166,21 +168,31 @@ impl Autopilot {
     }
 
     fn off_heading(&self) -> bool {
-        let (Some(hts), Some(heading)) = (self.hts(), self.heading) else {
-            return false;
-        };
-        (heading - hts).abs().deg() > self.settings.off_heading_limit
+        self.off_by()
+            .is_some_and(|(off, _)| off > self.settings.off_heading_limit)
     }
 
-    /// AP-5: the alert waits until a turn had time to end.
+    /// How far off the heading to steer she is, degrees, and that heading.
+    fn off_by(&self) -> Option<(f64, Heading)> {
+        let (hts, heading) = (self.hts()?, self.heading?);
+        Some(((heading - hts).abs().deg(), hts))
+    }
+
+    /// AP-5: the alert waits while a turn brings her nearer; one that goes round and round does not.
     pub(super) fn watch_heading(&mut self, now: Stamp) {
-        let turning = matches!(&self.mode, Mode::AutonavTi(ti) if ti.path.turn.is_some())
-            || libm::fabs(self.rate.deg_per_min()) > 6.0;
-        if !self.off_heading() || turning {
-            self.off_heading_since = None;
-        }
-        let since = *self.off_heading_since.get_or_insert(now);
-        let condition = self.off_heading() && !turning && now.since(since) >= OFF_HEADING_MS;
+        let turning = matches!(&self.mode, Mode::AutonavTi(ti) if ti.path.turn.is_some());
+        let off = self.off_by().filter(|_| self.off_heading() && !turning);
+        self.off_heading_since = off.map(|(off, hts)| match self.off_heading_since {
+            Some((since, best, before))
+                if off > best - NEARER_DEG && (hts - before).abs().deg() <= NEARER_DEG =>
+            {
+                (since, best, before)
+            }
+            _ => (now, off, hts),
+        });
+        let condition = self
+            .off_heading_since
+            .is_some_and(|(since, ..)| now.since(since) >= OFF_HEADING_MS);
         self.alerts.set(now, Alert::OffHeading, condition, "");
     }
 

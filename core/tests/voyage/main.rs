@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod absurd;
+mod alerts;
 mod believed;
 mod chart_lost;
 mod constants;

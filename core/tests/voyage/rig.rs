@@ -87,12 +87,16 @@ impl Rig {
             current_drift: Speed::from_knots(1.0),
             ..WorldConfig::default()
         };
+        Self::of(Voyage::configured(config), route)
+    }
+
+    /// A voyage of its own; the scripted officer is off.
+    pub(crate) fn of(mut voyage: Voyage, route: Route) -> Self {
         let wire = Arc::new(Mutex::new(Wire {
             filter: Box::new(|_, _, line| Some(line.to_string())),
             said: Vec::new(),
             htd: Vec::new(),
         }));
-        let mut voyage = Voyage::configured(config);
         let tapped = wire.clone();
         voyage.tap(Box::new(move |parcel| tapped.lock().unwrap().pass(parcel)));
         let mut rig = Self {
@@ -104,9 +108,7 @@ impl Rig {
             orders: Vec::new(),
             read: Vec::new(),
         };
-        if rig.voyage.is_embedded() {
-            rig.command(Order::Officer(false)).unwrap();
-        }
+        rig.command(Order::Officer(false)).unwrap();
         rig
     }
 

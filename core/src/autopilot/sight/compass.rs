@@ -156,7 +156,10 @@ impl Compasses {
             self.list
                 .iter()
                 .filter(|compass| compass.heading.is_some() && compass.doubt.is_none() == good)
-                .min_by_key(|compass| rank(&compass.source))
+                .min_by_key(|compass| {
+                    let left = self.fallen_from.as_ref() == Some(&compass.source);
+                    (rank(&compass.source), !left)
+                })
                 .map(|compass| compass.source.clone())
         };
         let (good, doubtful) = (best(true), best(false));
@@ -165,7 +168,8 @@ impl Compasses {
         let sound = used.is_some_and(|c| c.heading.is_some() && c.doubt.is_none());
         let next = match (good, &self.in_use) {
             (Some(good), Some(used)) if sound && good != *used && !free => {
-                if rank(&good) < rank(used) && self.agree(&good, used, jump) {
+                let better = rank(&good) < rank(used) || self.fallen_from.as_ref() == Some(&good);
+                if better && self.agree(&good, used, jump) {
                     let since = *self.agrees_since.get_or_insert(now);
                     if now.since(since) >= TRUST_MS {
                         Some(good)
