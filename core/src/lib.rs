@@ -23,6 +23,7 @@ pub mod scenario;
 pub mod settings;
 pub mod station;
 pub mod time;
+mod timers;
 pub mod units;
 pub mod view;
 pub mod voyage;

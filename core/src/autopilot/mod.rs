@@ -22,6 +22,7 @@ use crate::post::{self, Post, Station};
 use crate::settings::Settings;
 use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::time::Stamp;
+use crate::timers::Timers;
 use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::collections::VecDeque;
 use alloc::format;
@@ -65,15 +66,27 @@ pub struct Autopilot {
     rate_guard: RateGuard,
     speed_guard: SpeedGuard,
     remote: Remote,
-    stalled_since: Option<Stamp>,
-    /// Off the set heading: since when she has not come nearer, how far off, and off what.
-    off_heading_since: Option<(Stamp, f64, Heading)>,
-    rudder_error_since: Option<Stamp>,
+    timers: Timers<Timer>,
+    /// How near the heading to steer she has come since she was off it, degrees, and that heading.
+    nearest: Option<(f64, Heading)>,
     /// Alert reports that wait for their share of the line (AP-11).
     reports: VecDeque<Alert>,
     now: Stamp,
-    next_step: Stamp,
-    next_second: Stamp,
+}
+
+/// The autopilot's own times. What ends with a mode stands in the mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+enum Timer {
+    /// When the next control step is due.
+    Step,
+    /// When the next reports are due.
+    Second,
+    /// Since when the control loop keeps its time again (FA16).
+    Stalled,
+    /// Since when the ship is off the set heading (AP-5).
+    OffHeading,
+    /// Since when the rudder does not follow its order (FA11).
+    RudderError,
 }
 
 impl Autopilot {
@@ -104,24 +117,21 @@ impl Autopilot {
             rate_guard: RateGuard::default(),
             speed_guard: SpeedGuard::default(),
             remote: Remote::default(),
-            stalled_since: None,
-            off_heading_since: None,
-            rudder_error_since: None,
+            nearest: None,
+            timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + 1_000)]),
             reports: Alert::ALL
                 .iter()
                 .copied()
                 .filter(|alert| alert.number() < 200)
                 .collect(),
             now,
-            next_step: now + 100,
-            next_second: now + 1_000,
         }
     }
 
     /// When time alone next changes something.
     #[must_use]
     pub fn due(&self) -> Stamp {
-        self.next_step.min(self.next_second)
+        self.due_next().1
     }
 
     /// Runs everything due, then takes the input.
@@ -142,13 +152,15 @@ impl Autopilot {
     fn stalled(&mut self, now: Stamp, ms: u64) {
         self.now = now;
         self.post.stalled(now);
-        self.next_step = now + self.step_ms();
-        while self.next_second <= now {
-            self.next_second = self.next_second + 1_000;
+        self.timers.set(Timer::Step, now + self.step_ms());
+        let mut second = self.timers.at(Timer::Second).unwrap_or(now);
+        while second <= now {
+            second = second + 1_000;
         }
+        self.timers.set(Timer::Second, second);
         let text = format!("the control loop was {ms} ms late");
         self.alerts.raise(now, Alert::Stalled, &text);
-        self.stalled_since = Some(now);
+        self.timers.set(Timer::Stalled, now);
         self.fail_if_old(now);
     }
 
@@ -156,17 +168,21 @@ impl Autopilot {
         (1000.0 / self.settings.step_hz) as u64
     }
 
+    /// What time alone does next, a step before the reports; both timers always run.
+    fn due_next(&self) -> (Timer, Stamp) {
+        let next = self.timers.earliest(&[Timer::Step, Timer::Second]);
+        next.unwrap_or((Timer::Step, self.now))
+    }
+
     fn advance(&mut self, now: Stamp, out: &mut Vec<Output>) {
         while self.due() <= now {
-            if self.next_step <= self.next_second {
-                let at = self.next_step;
-                self.next_step = at + self.step_ms();
-                self.now = at;
+            let (timer, at) = self.due_next();
+            self.now = at;
+            if timer == Timer::Step {
+                self.timers.set(timer, at + self.step_ms());
                 self.step(at, out);
             } else {
-                let at = self.next_second;
-                self.next_second = at + 1_000;
-                self.now = at;
+                self.timers.set(timer, at + 1_000);
                 self.report(at, out);
             }
         }
@@ -178,11 +194,9 @@ impl Autopilot {
         post::time_out(self, now, out);
         self.alerts.tick(now);
         // The stall is over once the loop has kept its time for a while.
-        if self
-            .stalled_since
-            .is_some_and(|at| now.since(at) >= STALL_OVER_MS)
-        {
-            self.stalled_since = None;
+        let stalled = self.timers.at(Timer::Stalled);
+        if stalled.is_some_and(|at| now.since(at) >= STALL_OVER_MS) {
+            self.timers.stop(Timer::Stalled);
             self.alerts.rectify(now, Alert::Stalled);
         }
         self.look(now);

@@ -2,7 +2,7 @@
 
 use super::modes::Event;
 use super::steering::SteeringSettings;
-use super::{Autopilot, Mode, ModeName};
+use super::{Autopilot, Mode, ModeName, Timer};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
 use crate::station::Output;
@@ -94,7 +94,7 @@ impl Autopilot {
         if !matches!(self.mode, Mode::Auto(_)) {
             return Err(Refusal::because("the heading is set in AUTO only"));
         }
-        self.off_heading_since = None;
+        self.timers.stop(Timer::OffHeading);
         self.apply(now, &Event::SetHeading(set), "operator set the heading");
         Ok(format!("set heading {:05.1}", set.deg()))
     }

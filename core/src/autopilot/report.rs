@@ -1,6 +1,6 @@
 //! What the autopilot says: HTD, RSA, ROR and HDT each second, ALR on change, orders to the gear.
 
-use super::{Autopilot, Mode};
+use super::{Autopilot, Mode, Timer};
 use crate::alerts::{Alert, State};
 use crate::limits::Quantity;
 use crate::nmea::{
@@ -182,17 +182,17 @@ impl Autopilot {
     pub(super) fn watch_heading(&mut self, now: Stamp) {
         let turning = matches!(&self.mode, Mode::AutonavTi(ti) if ti.path.turn.is_some());
         let off = self.off_by().filter(|_| self.off_heading() && !turning);
-        self.off_heading_since = off.map(|(off, hts)| match self.off_heading_since {
-            Some((since, best, before))
-                if off > best - NEARER_DEG && (hts - before).abs().deg() <= NEARER_DEG =>
-            {
-                (since, best, before)
-            }
-            _ => (now, off, hts),
-        });
-        let condition = self
-            .off_heading_since
-            .is_some_and(|(since, ..)| now.since(since) >= OFF_HEADING_MS);
+        let stays_off = |(off, hts): (f64, Heading)| {
+            self.nearest.is_some_and(|(nearest, before)| {
+                off > nearest - NEARER_DEG && (hts - before).abs().deg() <= NEARER_DEG
+            })
+        };
+        if !off.is_some_and(stays_off) {
+            self.timers.stop(Timer::OffHeading);
+            self.nearest = off;
+        }
+        let since = self.timers.begin(Timer::OffHeading, now);
+        let condition = off.is_some() && now.since(since) >= OFF_HEADING_MS;
         self.alerts.set(now, Alert::OffHeading, condition, "");
     }
 
@@ -206,7 +206,7 @@ impl Autopilot {
             .iter()
             .any(|port| port.profile == Profile::Gear && port.output);
         let (Some(order), true) = (self.rudder_order(), has_gear) else {
-            self.rudder_error_since = None;
+            self.timers.stop(Timer::RudderError);
             self.alerts.rectify(now, Alert::Rudder);
             return;
         };
@@ -217,11 +217,11 @@ impl Autopilot {
         };
         let difference = libm::fabs(order.deg() - response.deg());
         if difference <= RUDDER_ERROR_DEG {
-            self.rudder_error_since = None;
+            self.timers.stop(Timer::RudderError);
             self.alerts.rectify(now, Alert::Rudder);
             return;
         }
-        let since = *self.rudder_error_since.get_or_insert(now);
+        let since = self.timers.begin(Timer::RudderError, now);
         let to_go = (difference / self.settings.rudder_slew * 1000.0) as u64;
         if now.since(since) > to_go + RUDDER_ERROR_MS {
             self.alerts.raise(
