@@ -1,11 +1,12 @@
 //! The own receiver stands elsewhere than the chart system's: the ship is on the chart system's track all the same (TCS-4, AP-16).
 
 use crate::rig::{Rig, edited, off_path, route};
+use wheelover_core::alerts::Alert;
 use wheelover_core::geo::{Plane, Point, Position};
-use wheelover_core::nmea::{self, Gll, Hdt, Pney1};
+use wheelover_core::nmea::{self, Gll, Hdt, Pney1, Xte};
 use wheelover_core::settings::Value;
 use wheelover_core::station::Profile;
-use wheelover_core::view::Order;
+use wheelover_core::view::{ModeName, Order};
 
 /// Moves what the own receiver says by `ahead` and `right` metres, of north or of the bow.
 fn displace(rig: &mut Rig, (ahead, right): (f64, f64), of_the_bow: bool) {
@@ -83,6 +84,60 @@ fn a_receiver_beside_the_chart_systems_does_not_move_the_track() {
             "{bearing}: {arc} m off the arc, {sound} without"
         );
     }
+}
+
+/// From now on the chart system sees the ship `metres` to starboard of where she is, in all that it says.
+fn displace_chart(rig: &mut Rig, metres: f64) {
+    let track = rig.route.leg(0).course().deg();
+    rig.filter(move |_, from, line| {
+        let sentence = nmea::decode(line.as_bytes());
+        if from != Profile::Ecdis {
+            return Some(line.into());
+        }
+        if let Some(place) = Gll::from_sentence(&sentence).and_then(|gll| gll.position) {
+            let moved = Point::default().towards(track + 90.0, metres);
+            let [lat, lon] = text(Plane::at(place).position(moved));
+            return Some(edited(line, &[(1, &lat), (3, &lon)]));
+        }
+        let (said, field) = match sentence.formatter {
+            "XTE" => (Xte::from_sentence(&sentence).and_then(|x| x.cross_track), 3),
+            "PNEY,001" => (
+                Pney1::from_sentence(&sentence).and_then(|x| x.cross_track),
+                4,
+            ),
+            _ => (None, 0),
+        };
+        let Some(said) = said.map(|said| said + metres / 1852.0) else {
+            return Some(line.into());
+        };
+        let side = if said > 0.0 { "L" } else { "R" };
+        Some(edited(
+            line,
+            &[(field, &format!("{:.4}", said.abs())), (field + 1, side)],
+        ))
+    });
+}
+
+// TCS-4: the chart system's position jumps and stays, and its distances with it: refused at once, TRACK FAIL, never followed.
+#[test]
+fn a_jump_of_the_chart_systems_position_is_refused_and_not_followed() {
+    for metres in [-150.0, -80.0, 80.0, 150.0] {
+        let mut rig = Rig::tracking();
+        rig.run(150.0);
+        displace_chart(&mut rig, metres);
+        rig.until("TRACK FAIL", 12.0, |rig| rig.mode() != ModeName::AutonavTi);
+        assert!(rig.raised(Alert::TrackFail));
+        let why = rig.autopilot().why().to_string();
+        assert!(why.contains("moved apart by"), "{why}");
+        let off = off_path(&rig.route, rig.chart(), rig.world().truth().position);
+        assert!(off < 10.0, "{metres}: followed by {off} m");
+    }
+    // A step that receivers make is learned like a drift.
+    let mut rig = Rig::tracking();
+    rig.run(150.0);
+    displace_chart(&mut rig, 20.0);
+    rig.run(60.0);
+    assert_eq!(rig.mode(), ModeName::AutonavTi);
 }
 
 // AP-16: an antenna 120 m aft and 20 m to port of the conning position.

@@ -64,6 +64,8 @@ pub(super) struct Remote {
     pub(super) offset: Option<Point>,
     /// How far apart the two positions were last, metres.
     apart: f64,
+    /// How far their difference was off the averaged one last, metres.
+    jumped: f64,
     /// What is laid though something of it was not said; absent where all was (SEN-4).
     makeshift: Option<String>,
     /// The chart system's position that was last compared.

@@ -14,6 +14,8 @@ use alloc::string::String;
 const OFFSET_TIME_S: f64 = 60.0;
 /// A difference that is off the averaged one by more counts as this much, metres.
 const LEARNS_M: f64 = 20.0;
+/// A difference that leaves the averaged one by more is a jump: refused, not followed, metres.
+const JUMPED_M: f64 = 50.0;
 /// Own and chart system's position farther apart cannot be the same ship, metres.
 const POSITIONS_APART_M: f64 = 400.0;
 
@@ -70,7 +72,7 @@ impl Autopilot {
             return;
         };
         if own.port == port {
-            (self.remote.offset, self.remote.apart) = (None, 0.0);
+            (self.remote.offset, self.remote.apart, self.remote.jumped) = (None, 0.0, 0.0);
             return;
         }
         let charted = picture.fixes.iter().find(|fix| fix.source.port == port);
@@ -99,17 +101,25 @@ impl Autopilot {
             return; // another ship's place, or a glitch: nothing is learned of it
         }
         let share = (since as f64 / 1000.0 / OFFSET_TIME_S).min(1.0);
+        let engaged = matches!(self.mode, Mode::AutonavTi { .. });
+        let off = self
+            .remote
+            .offset
+            .map_or(0.0, |offset| offset.distance(apart));
+        self.remote.jumped = if engaged { off } else { 0.0 };
+        if engaged && off > JUMPED_M {
+            return; // one of the two is wrong: the track stays where it is
+        }
         self.remote.offset = Some(match self.remote.offset {
-            Some(offset) => {
-                // A jump is learned no faster than a drift.
-                let off = offset.distance(apart);
+            Some(offset) if engaged || off <= JUMPED_M => {
+                // A step is learned no faster than a drift.
                 let share = share * (LEARNS_M / off.max(LEARNS_M));
                 Point {
                     north: offset.north + share * (apart.north - offset.north),
                     east: offset.east + share * (apart.east - offset.east),
                 }
             }
-            None => apart,
+            _ => apart,
         });
     }
 
@@ -119,6 +129,12 @@ impl Autopilot {
         if apart > POSITIONS_APART_M {
             return Err(format!(
                 "own and the chart system's position are {apart:.0} m apart"
+            ));
+        }
+        let jumped = self.remote.jumped;
+        if jumped > JUMPED_M {
+            return Err(format!(
+                "own and the chart system's position moved apart by {jumped:.0} m"
             ));
         }
         Ok(())
