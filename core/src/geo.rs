@@ -35,6 +35,13 @@ pub struct Plane {
 const SEMI_MAJOR: f64 = 6_378_137.0;
 const ECCENTRICITY_SQUARED: f64 = 0.006_694_379_990_141_316;
 
+/// Degrees of latitude or longitude to a millimetre on the earth, for whoever writes them: what is computed has fifteen
+/// decimals, which say no more.
+#[must_use]
+pub fn to_millimetre(degrees: f64) -> f64 {
+    libm::round(degrees * 1e8) / 1e8
+}
+
 impl Plane {
     /// The plane that touches at `origin`.
     #[must_use]

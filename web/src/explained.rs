@@ -5,6 +5,7 @@
 use crate::drawing::Drawing;
 use crate::format;
 use crate::heard::latin1;
+use wheelover_core::geo::to_millimetre;
 use wheelover_core::nmea::{JsonField, JsonLine, JsonValue, decode, json_line};
 
 fn explain(number: u64, text: &str) -> JsonLine {
@@ -175,6 +176,9 @@ fn row(drawing: &mut Drawing, field: &JsonField, chosen: bool) {
 fn value(field: &JsonField) -> String {
     match &field.value {
         JsonValue::Null => format::NO_TEXT.to_owned(),
+        JsonValue::Number(number) if field.unit == Some("deg") => {
+            format!("{}", to_millimetre(*number))
+        }
         JsonValue::Number(number) => format!("{number}"),
         JsonValue::Integer(number) => format!("{number}"),
         JsonValue::Text(text) => text.clone(),
@@ -204,5 +208,16 @@ mod tests {
         let table = table(text, Some(3));
         assert!(table.contains("data-explained=\"3\""));
         assert!(table.contains("data-faults=\"1\""), "{table}");
+    }
+
+    // A coordinate has no more decimals than a millimetre needs.
+    #[test]
+    fn a_longitude_has_no_fifteen_decimals() {
+        let table = table("$EIGLL,5947.727320,N,02458.842400,E,152829.96,A,A*7E", None);
+        assert!(
+            table.contains("24.98070667") && table.contains("59.79545533"),
+            "{table}"
+        );
+        assert!(!table.contains("24.980706666"), "{table}");
     }
 }

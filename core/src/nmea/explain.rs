@@ -52,8 +52,10 @@ pub struct Field<'a> {
 pub enum FieldValue<'a> {
     /// Empty, or faulty.
     None,
-    /// A number in the sentence's own unit; an angle in decimal degrees, north and east positive.
+    /// A number in the sentence's own unit.
     Number(f64),
+    /// A latitude or longitude in decimal degrees, north and east positive; as text to a millimetre.
+    Degrees(f64),
     /// A whole number.
     Integer(i64),
     /// A letter.
@@ -281,7 +283,7 @@ fn member<'a>(
                 let mut cursor = sentence.fields.cursor_at(item.field - 1 + offset);
                 let value = read(&kind, &mut cursor, &mut Vec::new());
                 let number = value.and_then(|value| value.number());
-                number.map_or(FieldValue::None, FieldValue::Number)
+                number.map_or(FieldValue::None, FieldValue::Degrees)
             };
             let (lat, lon) = (half(0, 2), half(2, 3));
             let unit = Some("deg");
@@ -296,7 +298,7 @@ fn member<'a>(
             let value = item
                 .value
                 .number()
-                .map_or(FieldValue::None, FieldValue::Number);
+                .map_or(FieldValue::None, FieldValue::Degrees);
             push(0, Facet::Whole, value, Some("deg"), None);
             let (value, side) = letter(1);
             push(1, Facet::Side, value, None, compass(side));

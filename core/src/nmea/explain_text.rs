@@ -4,6 +4,7 @@ use super::decimal::{Decimal, POW10};
 use super::explain::{Facet, FieldValue, Name};
 use super::table::Sides;
 use super::{Date, UtcTime};
+use crate::geo::to_millimetre;
 use core::fmt;
 
 impl fmt::Display for Name {
@@ -37,6 +38,7 @@ impl fmt::Display for FieldValue<'_> {
         match self {
             Self::None => Ok(()),
             Self::Number(value) => value.fmt(f),
+            Self::Degrees(value) => to_millimetre(*value).fmt(f),
             Self::Integer(value) => value.fmt(f),
             Self::Letter(letter) => char::from(*letter).fmt(f),
             Self::Text(text) => super::unescape(text).fmt(f),

@@ -171,7 +171,7 @@ fn field(field: &Field<'_>) -> JsonField {
         value: match field.value {
             _ if field.fault.is_some() => JsonValue::Null,
             FieldValue::None => JsonValue::Null,
-            FieldValue::Number(value) => JsonValue::Number(value),
+            FieldValue::Number(value) | FieldValue::Degrees(value) => JsonValue::Number(value),
             FieldValue::Integer(value) => JsonValue::Integer(value),
             FieldValue::Letter(letter) => JsonValue::Text(char::from(letter).to_string()),
             FieldValue::Text(text) => JsonValue::Text(unescape(text)),

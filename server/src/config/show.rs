@@ -3,6 +3,7 @@
 use super::built;
 use super::types::{Config, Place, policy_name};
 use std::fmt::Write;
+use wheelover_core::geo::to_millimetre;
 use wheelover_core::settings::{Kind, TABLE, Value};
 use wheelover_core::voyage::Role;
 
@@ -122,7 +123,8 @@ fn route(config: &Config, out: &mut String) -> std::fmt::Result {
         writeln!(
             out,
             "lat = {:?}\nlon = {:?}",
-            waypoint.position.lat, waypoint.position.lon
+            to_millimetre(waypoint.position.lat),
+            to_millimetre(waypoint.position.lon)
         )?;
         if let Some(radius) = waypoint.radius_nm {
             writeln!(out, "radius_nm = {:?}", (radius * 1e6).round() / 1e6)?;

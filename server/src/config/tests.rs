@@ -175,6 +175,21 @@ fn what_is_in_force_reads_back_the_same() {
     assert!(first.contains("rudder_limit = 12.0"));
 }
 
+// A coordinate has no more decimals than a millimetre needs.
+#[test]
+fn no_coordinate_has_fifteen_decimals() {
+    let given = "[[route.waypoint]]\nid = \"A\"\nlat = 54.000000000012\nlon = 10.1\n\
+         [[route.waypoint]]\nid = \"B\"\nlat = 54.1\nlon = 10.3000000000004\n";
+    let given = in_force(&from_text("w.toml", given, None).unwrap());
+    assert!(given.contains("lat = 54.0\nlon = 10.1\n") && given.contains("lon = 10.3\n"));
+    let coordinates = given
+        .lines()
+        .filter(|line| line.starts_with("lat = ") || line.starts_with("lon = "));
+    let decimals = coordinates.map(|line| line.split('.').next_back().unwrap_or_default().len());
+    let most = decimals.max();
+    assert!(most.is_some_and(|most| most <= 8), "{most:?} in {given}");
+}
+
 // AP-20
 #[test]
 fn whose_constants_steer_is_said() {

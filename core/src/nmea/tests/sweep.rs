@@ -58,7 +58,7 @@ fn check(raw: &[u8], at: usize, value: &str) {
         exact(&sentence, at, value);
     }
     for field in explain(&sentence).fields {
-        if let FieldValue::Number(number) = field.value {
+        if let FieldValue::Number(number) | FieldValue::Degrees(number) = field.value {
             assert!(number.is_finite(), "{}", text());
         }
     }
