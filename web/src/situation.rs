@@ -8,6 +8,9 @@ use wheelover_core::route::foreign::Told;
 use wheelover_core::units::wrap_180;
 use wheelover_core::view::ModeName;
 
+/// The route is sailed to its end.
+pub(crate) const END: u8 = 6;
+
 /// The words for a situation (interface.md 4).
 #[must_use]
 pub(crate) const fn words(situation: u8) -> &'static str {
@@ -17,7 +20,7 @@ pub(crate) const fn words(situation: u8) -> &'static str {
         3 => "wheel-over passed: on the forwarding distance",
         4 => "on the radius",
         5 => "turn finished: on the leg",
-        6 => "end of route",
+        END => "end of route",
         _ => "not known",
     }
 }

@@ -26,6 +26,10 @@ fn progress(deck: Deck) -> Progress {
     let Some(chart) = chart else {
         return told(deck);
     };
+    // TCS-2: at the end of the route there is no way to go.
+    if chart.situation == situation::END {
+        return Progress::default();
+    }
     let name = |index: usize| {
         deck.route
             .with(|route| format::waypoint(route.waypoints.get(index).map(|w| w.id.as_str())))
@@ -162,12 +166,13 @@ pub(super) fn Strip() -> impl IntoView {
             <div>
                 <p class="label">"DTW "{move || to.with(|to| to.text.clone())}</p>
                 <p class="number">
-                    {move || progress.with(|p| format::miles(p.to_go))}<span class="unit">"NM"</span>
+                    <span data-value="dtw">{move || progress.with(|p| format::miles(p.to_go))}</span>
+                    <span class="unit">"NM"</span>
                 </p>
             </div>
             <div>
                 <p class="label">"ETA "{move || to.with(|to| to.text.clone())}</p>
-                <p class="number">{move || progress.with(|p| format::clock_minutes(p.eta))}</p>
+                <p class="number" data-value="eta">{move || progress.with(|p| format::clock_minutes(p.eta))}</p>
             </div>
         </footer>
     }
