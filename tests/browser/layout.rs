@@ -4,8 +4,11 @@
 use serde_json::{Value, json};
 use std::time::Duration;
 use wheelover_core::alerts::{Alert, Category, Priority, State};
+use wheelover_core::facts::Quantity;
+use wheelover_core::station::Direction;
 use wheelover_core::view::{
-    AlertView, Down, Hello, ModeName, Pending, PortsDocument, RouteDocument, Snapshot,
+    AlertView, Down, Hello, Line, Lines, ModeName, Pending, PortsDocument, RefusedView,
+    RouteDocument, Snapshot,
 };
 use wheelover_tests::browser::Browser;
 use wheelover_tests::page::Page;
@@ -33,16 +36,18 @@ const REASON: &str = "not in the middle of a turn: the leg before it is unknown;
 
 /// What the page is shown: frames of a real voyage, changed by the states.
 #[derive(Clone)]
-struct Frames {
-    hello: Hello,
+pub(crate) struct Frames {
+    pub(crate) hello: Hello,
     route: RouteDocument,
     ports: PortsDocument,
-    snapshot: Snapshot,
+    /// The line that tells the time of day.
+    lines: Lines,
+    pub(crate) snapshot: Snapshot,
 }
 
 impl Frames {
     /// From a voyage that is in a turn.
-    async fn sail(program: &Program) -> Self {
+    pub(crate) async fn sail(program: &Program) -> Self {
         let mut page = Page::open(program.address).await;
         page.until("a turn", Duration::from_secs(120), |page| {
             let situation = page.snapshot.as_ref().and_then(|s| s.chart.as_ref());
@@ -50,8 +55,10 @@ impl Frames {
         })
         .await;
         let mut page = Page::open(program.address).await;
+        let timed = |line: &&Line| line.dir == Direction::In && line.text.contains("GLL,");
         page.until("all documents", Duration::from_secs(20), |page| {
-            page.snapshot.is_some() && page.route.is_some() && page.ports.is_some()
+            let said = page.snapshot.is_some() && page.route.is_some() && page.ports.is_some();
+            said && page.lines.iter().any(|line| timed(&line))
         })
         .await;
         let mut hello = page.hello.clone();
@@ -62,7 +69,14 @@ impl Frames {
         snapshot.digest = hello.picture.digest();
         snapshot.alerts.clear();
         hello.may_command = true;
+        let mut line = page.lines.iter().rfind(timed).unwrap().clone();
+        line.seq = hello.line;
+        let lines = Lines {
+            from: line.seq,
+            lines: vec![line],
+        };
         Self {
+            lines,
             hello,
             route: page.route.clone().unwrap(),
             ports: page.ports.clone().unwrap(),
@@ -70,7 +84,7 @@ impl Frames {
         }
     }
 
-    fn mode(mut self, mode: ModeName, why: &str) -> Self {
+    pub(crate) fn mode(mut self, mode: ModeName, why: &str) -> Self {
         if let Some(own) = &mut self.snapshot.own {
             (own.mode, own.why) = (mode, why.to_owned());
             own.set_heading = (mode == ModeName::Auto).then_some(289.5);
@@ -105,6 +119,25 @@ impl Frames {
         self
     }
 
+    /// No compass and no receiver is believed.
+    pub(crate) fn refused(mut self) -> Self {
+        if let Some(own) = &mut self.snapshot.own {
+            let refused = |quantity, source: &str, why: &str| RefusedView {
+                quantity,
+                source: source.to_owned(),
+                why: why.to_owned(),
+            };
+            own.refused = vec![
+                refused(Quantity::Heading, "gyro1/HE/HDT", "jumped"),
+                refused(Quantity::Position, "gps/GP/GLL", "jumped"),
+                refused(Quantity::Position, "ecdis/EI/GLL", "jumped"),
+                refused(Quantity::Control, "ecdis/P/PNEY,001", "does not fit"),
+            ];
+            (own.heading, own.position) = (None, None);
+        }
+        self
+    }
+
     /// Everything that was heard is so old.
     fn aged(mut self, seconds: u64) -> Self {
         self.hello.at += seconds * 1000;
@@ -113,12 +146,13 @@ impl Frames {
     }
 
     /// The state as the stage plays it.
-    fn state(self, name: &str) -> Value {
+    pub(crate) fn state(self, name: &str) -> Value {
         json!({
             "name": name,
             "hello": Down::Hello(self.hello),
             "route": Down::Route(self.route),
             "ports": Down::Ports(self.ports),
+            "lines": Down::Lines(self.lines),
             "snapshot": Down::Snapshot(self.snapshot),
         })
     }
@@ -195,6 +229,7 @@ fn states(turn: &Frames) -> Vec<Value> {
                 "HTC missing: rudder held, steer by hand",
             )
             .state("RUDDER HOLD"),
+        turn.clone().refused().state("nothing believed"),
         turn.clone().aged(4).state("late"),
         turn.clone()
             .aged(77)
@@ -210,7 +245,7 @@ fn states(turn: &Frames) -> Vec<Value> {
 }
 
 /// A page whose server is the stage.
-async fn staged(program: &Program, first: &Value) -> Browser {
+pub(crate) async fn staged(program: &Program, first: &Value) -> Browser {
     let browser = Browser::open().await;
     for source in [
         include_str!("stage/stage.js"),

@@ -1,6 +1,7 @@
 //! The page in Chromium: it moves, agrees with the lines, commands, explains, and never complains.
 #![allow(clippy::unwrap_used)]
 
+mod believed;
 mod bridge;
 mod decoder;
 mod fed;
@@ -9,3 +10,4 @@ mod layout;
 mod outage;
 mod pace;
 mod sleep;
+mod words;

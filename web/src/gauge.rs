@@ -32,6 +32,22 @@ pub fn full_scale(value: f64, steps: &[f64]) -> f64 {
     fits.or_else(|| steps.last().copied()).unwrap_or(1.0)
 }
 
+/// Whether a cross-track distance is beyond its limits (metres to port and to starboard), and the words for them.
+#[must_use]
+pub fn corridor(value: Option<f64>, limits: Option<[f64; 2]>) -> (bool, String) {
+    let Some([port, stbd]) = limits else {
+        return (false, String::new());
+    };
+    let over = value.is_some_and(|value| value < -port || value > stbd);
+    let mark = if over { "OVER " } else { "" };
+    let words = if libm::fabs(port - stbd) < 0.5 {
+        format!("{mark}limit {}", fixed(port, 0))
+    } else {
+        format!("{mark}limits P {} S {}", fixed(port, 0), fixed(stbd, 0))
+    };
+    (over, words)
+}
+
 /// Lines of the scale as one path, `count` to each side, under the bar.
 #[must_use]
 pub fn ticks(count: u32) -> String {
@@ -56,6 +72,8 @@ pub struct Bar {
     pub full: f64,
     /// A limit on both sides.
     pub limit: Option<f64>,
+    /// The value is beyond its limit: it has no side's colour.
+    pub over: bool,
     /// Words under its middle.
     pub note: String,
 }
@@ -68,7 +86,12 @@ impl Bar {
         drawing.bar("rail", ENDS.0, ENDS.1 - ENDS.0);
         if let Some(value) = self.value {
             let (left, width) = fill(value, self.full);
-            drawing.bar(if value >= 0.0 { "stbd" } else { "port" }, left, width);
+            let class = match value >= 0.0 {
+                _ if self.over => "over",
+                true => "stbd",
+                false => "port",
+            };
+            drawing.bar(class, left, width);
         }
         if let Some(limit) = self.limit {
             let (port, stbd) = (place(-limit, self.full), place(limit, self.full));
@@ -111,8 +134,32 @@ mod tests {
             order: Some(0.0),
             ..bar
         };
-        let port = port.markup(7);
-        assert!(port.contains("class=\"port\"") && port.contains("class=\"order\""));
+        let drawn = port.markup(7);
+        assert!(drawn.contains("class=\"port\"") && drawn.contains("class=\"order\""));
+        let over = Bar { over: true, ..port }.markup(7);
+        assert!(over.contains("class=\"over\"") && !over.contains("class=\"port\""));
+    }
+
+    #[test]
+    fn beyond_its_limit_a_distance_says_so() {
+        let check = |value, limits, expect: (bool, &str)| {
+            let (over, words) = corridor(value, limits);
+            assert_eq!((over, words.as_str()), expect);
+        };
+        check(Some(9.0), None, (false, ""));
+        check(None, Some([185.2; 2]), (false, "limit 185"));
+        check(Some(185.0), Some([185.2; 2]), (false, "limit 185"));
+        check(Some(-186.0), Some([185.2; 2]), (true, "OVER limit 185"));
+        check(
+            Some(60.0),
+            Some([100.0, 50.0]),
+            (true, "OVER limits P 100 S 50"),
+        );
+        check(
+            Some(-60.0),
+            Some([100.0, 50.0]),
+            (false, "limits P 100 S 50"),
+        );
     }
 
     #[test]

@@ -2,8 +2,9 @@
 //!
 //! **Invariant:** each line is folded once, in the order of its number; a hole makes the picture unknown until a new hello.
 
+use crate::trail::Trail;
 use std::collections::{BTreeMap, VecDeque};
-use wheelover_core::geo::{Plane, Position};
+use wheelover_core::geo::Plane;
 use wheelover_core::nmea;
 use wheelover_core::picture::{self, Picture};
 use wheelover_core::route::foreign::{Before, Told};
@@ -39,8 +40,8 @@ pub type Lane = (PortIndex, bool, String);
 const BACKLOG: u64 = 3_000;
 /// How many lines the log keeps.
 const LOG: usize = 300;
-/// How many points the track made good keeps.
-const TRAIL: usize = 3_000;
+/// A place that is only heard, of a time before the hello, is drawn when it has lasted for so long, milliseconds.
+const LASTS: u64 = 10_000;
 
 /// What the page has made of the lines.
 #[derive(Debug, Default)]
@@ -52,7 +53,9 @@ pub struct Fold {
     /// The latest line of each sentence.
     pub latest: BTreeMap<Lane, Latest>,
     /// The track made good.
-    pub trail: Vec<Position>,
+    pub trail: Trail,
+    /// Own facts say where the ship is believed to be.
+    believes: bool,
     /// Seconds of the day that a position receiver said, and when it said so.
     pub utc: Option<(f64, Stamp)>,
     /// Whether the server agrees.
@@ -75,6 +78,7 @@ impl Fold {
             *self = Self::default();
         }
         self.picture = hello.picture.clone();
+        self.believes = hello.station == "autopilot";
         self.folded = hello.line;
         self.line_at = Stamp(hello.at);
         self.agreement = Agreement::Unknown;
@@ -128,14 +132,14 @@ impl Fold {
                     && gll.status == Some(nmea::DataStatus::Valid)
                     && let Some(position) = gll.position
                 {
-                    self.walk(position);
+                    self.trail.walk(Stamp(*at), position, LASTS);
                 }
             }
             let lane = (*port, *dir == Direction::Out, lane_name(&sentence));
             self.keep(lane, line);
         }
-        if let Some(fix) = self.picture.fix(self.line_at).map(|fix| fix.value.position) {
-            self.walk(fix);
+        if let Some(fix) = self.picture.fix(self.line_at).filter(|_| !self.believes) {
+            self.trail.walk(fix.at, fix.value.position, LASTS);
         }
         true
     }
@@ -146,8 +150,11 @@ impl Fold {
         Told::of(&self.picture, &self.before, now, plane)
     }
 
-    /// Remembers the server's digest, or compares at once where the fold stands there.
+    /// Takes the believed place. Remembers the server's digest, or compares at once where the fold stands there.
     pub fn snapshot(&mut self, snapshot: &Snapshot) {
+        if let Some(place) = snapshot.own.as_ref().and_then(|own| own.position) {
+            self.trail.walk(Stamp(snapshot.at), place, 0);
+        }
         if snapshot.line >= self.folded {
             self.awaited
                 .push_back((snapshot.line, snapshot.digest.clone()));
@@ -192,23 +199,6 @@ impl Fold {
         self.log.push_back(line.clone());
         while self.log.len() > LOG {
             self.log.pop_front();
-        }
-    }
-
-    fn walk(&mut self, fix: Position) {
-        let step = self.trail.last().map(|last| {
-            let plane = Plane::at(*last);
-            plane.point(fix).distance(plane.point(*last))
-        });
-        match step {
-            Some(metres) if metres < 8.0 => {}
-            Some(metres) if metres > 1_500.0 => self.trail = vec![fix],
-            _ => {
-                if self.trail.len() >= TRAIL {
-                    self.trail.drain(..TRAIL / 10);
-                }
-                self.trail.push(fix);
-            }
         }
     }
 }

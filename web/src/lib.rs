@@ -17,6 +17,7 @@
     reason = "Leptos makes a public item of every component"
 )]
 
+pub mod believed;
 pub mod clock;
 pub mod drawing;
 pub mod explained;
@@ -27,6 +28,7 @@ mod message;
 pub mod plan;
 pub mod reading;
 pub mod text;
+pub mod trail;
 
 #[cfg(target_arch = "wasm32")]
 mod about;

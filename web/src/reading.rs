@@ -1,5 +1,6 @@
 //! What is shown of a quantity: its value, how far it may be believed, its age and its source (display.md 3.1's table).
 
+use crate::believed;
 use wheelover_core::geo::Position;
 use wheelover_core::limits::{Freshness, Quantity};
 use wheelover_core::picture::{Heard, Picture};
@@ -18,6 +19,8 @@ pub struct Reading<T> {
     pub age: u64,
     /// Who said it, as `port/talker/formatter`.
     pub source: String,
+    /// Which source is not believed, and why; empty where all are.
+    pub why: String,
 }
 
 impl<T> Default for Reading<T> {
@@ -27,12 +30,13 @@ impl<T> Default for Reading<T> {
             state: Freshness::Never,
             age: 0,
             source: String::new(),
+            why: String::new(),
         }
     }
 }
 
 impl<T> Reading<T> {
-    fn heard<H>(
+    pub(crate) fn heard<H>(
         picture: &Picture,
         heard: Option<&Heard<H>>,
         quantity: Quantity,
@@ -49,6 +53,7 @@ impl<T> Reading<T> {
             state,
             age: now.since(heard.at),
             source: picture.source_name(&heard.source),
+            why: String::new(),
         }
     }
 
@@ -64,6 +69,7 @@ impl<T> Reading<T> {
             state,
             age: 0,
             source: String::new(),
+            why: String::new(),
         }
     }
 
@@ -75,6 +81,7 @@ impl<T> Reading<T> {
                 value: None,
                 state: Freshness::Lost,
                 age: self.age.max(age),
+                why: String::new(),
                 ..self
             },
         }
@@ -154,9 +161,19 @@ impl Readings {
         use Quantity::{Control, Ground, Heading, RateOfTurn, Rudder, WaterSpeed};
         let own: Option<&Own> = snapshot.and_then(|snapshot| snapshot.own.as_ref());
         let metres = |miles: f64| miles * 1852.0;
-        let heading = Reading::heard(picture, picture.heading(now), Heading, now, |h| {
-            Some(h.deg())
-        });
+        let distance = |reading| believed::distance(reading, own);
+        let heading = match own {
+            Some(own) => believed::heading(picture, own, now),
+            None => Reading::heard(picture, picture.heading(now), Heading, now, |h| {
+                Some(h.deg())
+            }),
+        };
+        let position = match own {
+            Some(own) => believed::position(picture, own, now),
+            None => Reading::heard(picture, picture.fix(now), Quantity::Position, now, |f| {
+                Some(f.position)
+            }),
+        };
         let cog = Reading::heard(picture, picture.ground(now), Ground, now, |g| {
             g.course.map(|course| course.deg())
         });
@@ -197,20 +214,26 @@ impl Readings {
             rudder: Reading::heard(picture, picture.rudder.as_ref(), Rudder, now, |r| {
                 Some(r.deg())
             }),
-            xtd: Reading::heard(picture, picture.xte.as_ref(), Control, now, |x| {
-                x.cross_track.map(metres)
-            }),
-            xtd_next: Reading::heard(picture, picture.pney1.as_ref(), Control, now, |x| {
-                x.cross_track.map(metres)
-            }),
+            xtd: distance(Reading::heard(
+                picture,
+                picture.xte.as_ref(),
+                Control,
+                now,
+                |x| x.cross_track.map(metres),
+            )),
+            xtd_next: distance(Reading::heard(
+                picture,
+                picture.pney1.as_ref(),
+                Control,
+                now,
+                |x| x.cross_track.map(metres),
+            )),
             waypoint: Reading::heard(picture, picture.pney2.as_ref(), Control, now, |p| {
                 p.waypoint.clone()
             }),
             radius: Reading::heard(picture, htc, Control, now, |c| c.htc.radius),
             centre: Reading::heard(picture, picture.pney2.as_ref(), Control, now, |p| p.centre),
-            position: Reading::heard(picture, picture.fix(now), Quantity::Position, now, |f| {
-                Some(f.position)
-            }),
+            position,
             drift: Reading {
                 value: cog
                     .value
@@ -218,7 +241,8 @@ impl Readings {
                     .map(|(cog, heading)| wrap_180(cog - heading)),
                 state: worse(cog.state, heading.state),
                 age: cog.age.max(heading.age),
-                source: String::new(),
+                why: heading.why.clone(),
+                ..Reading::default()
             },
             heading,
             cog,
@@ -304,6 +328,7 @@ mod tests {
             state: Freshness::Valid,
             age: 100,
             source: "gyro1/HE/HDT".to_owned(),
+            ..Reading::default()
         };
         assert_eq!(lost.port(), "GYRO1");
         let lost = lost.lost(6_000);

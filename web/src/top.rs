@@ -106,17 +106,15 @@ fn Sources() -> impl IntoView {
     let deck = Deck::here();
     let text = Memo::new(move |_| {
         deck.readings.with(|readings| {
-            let part = |name: &str, port: String| {
-                if port.is_empty() {
-                    format!("{name} –")
-                } else {
-                    format!("{name} {port}")
-                }
+            let part = |name: &str, port: String, why: &str| match (why, port.as_str()) {
+                ("", "") => format!("{name} –"),
+                ("", port) => format!("{name} {port}"),
+                (why, _) => format!("{name} {why}"),
             };
             [
-                part("HDG", readings.heading.port()),
-                part("POS", readings.position.port()),
-                part("STW", readings.stw.port()),
+                part("HDG", readings.heading.port(), &readings.heading.why),
+                part("POS", readings.position.port(), &readings.position.why),
+                part("STW", readings.stw.port(), ""),
             ]
             .join(" | ")
         })

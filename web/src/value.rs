@@ -13,7 +13,7 @@ pub(crate) struct Shown {
     pub(crate) text: String,
     /// How far it may be believed.
     pub(crate) state: Freshness,
-    /// `3 s` where late, `lost 14 s` where lost, else empty.
+    /// `3 s` where late, `lost 14 s` where lost, `GYRO1 jumped` where not believed, else empty.
     pub(crate) badge: String,
     /// The port that it came from, in capitals.
     pub(crate) port: String,
@@ -24,6 +24,7 @@ impl Shown {
     #[must_use]
     pub(crate) fn of<T>(reading: &Reading<T>, text: String) -> Self {
         let badge = match reading.state {
+            _ if !reading.why.is_empty() => reading.why.clone(),
             Freshness::Late => format::seconds(reading.age),
             Freshness::Lost => format!("lost {}", format::seconds(reading.age)),
             Freshness::Low => "low integrity".to_owned(),

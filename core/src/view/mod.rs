@@ -179,10 +179,14 @@ pub struct Own {
     pub rudder_order: Option<f64>,
     /// Cross-track distance that the controller uses, metres, ship right of track positive.
     pub cross_track: Option<f64>,
+    /// Farther off the track is an alarm, metres.
+    pub cross_track_limit: f64,
     /// Chosen source of each quantity: quantity, `port/talker/formatter`.
     pub sources: Vec<(String, String)>,
     /// Heading that the autopilot believes, degrees; absent where it believes none.
     pub heading: Option<f64>,
+    /// When it judged its sources last, milliseconds: what was heard then or later is not judged yet.
+    pub judged: u64,
     /// Position that it believes, at the time of the snapshot; absent where it believes none.
     pub position: Option<Position>,
     /// Sources that it hears and does not believe.

@@ -37,8 +37,10 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         cross_track: steered
             .and_then(|steered| steered.cross_track)
             .map(Distance::m),
+        cross_track_limit: autopilot.off_track_limit(now),
         sources: sources(autopilot, now),
         heading: autopilot.believed_heading().map(Heading::deg),
+        judged: autopilot.judged_at().0,
         position: autopilot.believed_position(now),
         refused: autopilot
             .refused()

@@ -56,8 +56,10 @@ fn messages() -> Vec<String> {
                 rudder_limit: 35.0,
                 rudder_order: Some(-3.5),
                 cross_track: Some(12.5),
+                cross_track_limit: 185.2,
                 sources: vec![("heading".into(), "gyro1/HE/HDT".into())],
                 heading: Some(245.0),
+                judged: 1_900,
                 position: Some(place),
                 refused: vec![RefusedView {
                     quantity: Quantity::Position,

@@ -19,8 +19,8 @@
       if (stage.play) this.greet();
     }
     greet() {
-      const { hello, route, ports } = stage.play;
-      [hello, route, ports].forEach((part) => this.say(part));
+      const { hello, route, ports, lines } = stage.play;
+      [hello, route, ports, lines].forEach((part) => this.say(part));
       this.beat();
     }
     beat() {

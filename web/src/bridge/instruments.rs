@@ -5,7 +5,7 @@ use crate::reading::{Reading, Readings, state_name};
 use crate::value::{Badge, Shown, Value, shown};
 use crate::{format, gauge, gauge::Bar, situation};
 use leptos::prelude::*;
-use wheelover_core::view;
+use wheelover_core::view::{self, ModeName};
 
 /// The right column.
 #[component]
@@ -79,6 +79,7 @@ fn RudderPanel() -> impl IntoView {
             order: r.order.value,
             full: 35.0,
             limit: limit.filter(|limit| *limit < 35.0),
+            over: false,
             note: limited(deck),
         })
     });
@@ -122,6 +123,7 @@ fn RatePanel() -> impl IntoView {
                 order: r.rot_set.value,
                 full: gauge::full_scale(largest, &[60.0, 120.0, 300.0]),
                 limit: None,
+                over: false,
                 note: r.rot_set.value.map_or_else(String::new, |rate| {
                     format!("set {}", format::sided(Some(rate), 1))
                 }),
@@ -146,26 +148,23 @@ fn CrossTrackPanel() -> impl IntoView {
     let next = shown(|r| &r.xtd_next, |metres| format::sided(metres, 0));
     let words = Memo::new(move |_| format::cross_track_words(situation::current(deck)));
     let limits = Memo::new(move |_| {
-        let leg = deck
-            .own
-            .with(|own| own.as_ref()?.chart.as_ref().map(|chart| chart.leg));
-        deck.route
-            .with(|route| route.waypoints.get(leg? + 1).map(|waypoint| waypoint.xtd_m))
+        let (leg, watched) = deck.own.with(|own| {
+            let own = own.as_ref();
+            let leg = own
+                .and_then(|own| own.chart.as_ref())
+                .map(|chart| chart.leg);
+            let own = own.and_then(|own| own.own.as_ref());
+            (leg, own.map(|own| own.cross_track_limit))
+        });
+        deck.route.with(|route| {
+            let planned = leg.and_then(|leg| route.waypoints.get(leg + 1));
+            let planned = planned.map(|waypoint| waypoint.xtd_m);
+            planned.or_else(|| watched.map(|limit| [limit, limit]))
+        })
     });
     let bar = Memo::new(move |_| {
         let limits = limits.get();
         let limit = limits.map(|[port, stbd]| port.min(stbd));
-        let note = limits.map_or_else(String::new, |[port, stbd]| {
-            if (port - stbd).abs() < 0.5 {
-                format!("limit {}", format::fixed(port, 0))
-            } else {
-                format!(
-                    "limits P {} S {}",
-                    format::fixed(port, 0),
-                    format::fixed(stbd, 0)
-                )
-            }
-        });
         deck.readings.with(|r| {
             let largest = r
                 .xtd
@@ -174,11 +173,13 @@ fn CrossTrackPanel() -> impl IntoView {
                 .abs()
                 .max(limit.unwrap_or(0.0) * 1.2);
             let full = gauge::full_scale(largest, &[60.0, 120.0, 240.0, 500.0, 1000.0, 2000.0]);
+            let (over, note) = gauge::corridor(r.xtd.value, limits);
             Bar {
                 value: r.xtd.value,
                 order: None,
                 full,
                 limit,
+                over,
                 note,
             }
         })
@@ -254,18 +255,27 @@ fn Cell(
     }
 }
 
-/// Why the rudder moves: the parts of the order, from the autopilot itself.
+/// Why the rudder moves: the parts of the order, from the autopilot itself. An order that is held has none (FA7).
 #[component]
 fn Terms() -> impl IntoView {
     let deck = Deck::here();
-    let terms = Memo::new(move |_| deck.own.with(|own| own.as_ref()?.own.as_ref()?.terms));
+    let own = Memo::new(move |_| {
+        deck.own.with(|own| {
+            let own = own.as_ref()?.own.as_ref()?;
+            let held = own.mode == ModeName::RudderHold;
+            Some((own.terms, own.rudder_order.filter(|_| held)))
+        })
+    });
+    let terms = move || own.get().and_then(|(terms, _)| terms);
+    let held = move || own.get().and_then(|(_, held)| held);
     let part = move |name: &'static str, of: fn(view::Terms) -> f64| {
-        let text = move || format::sided(terms.get().map(of), 1);
-        view! { <span><small>{name}</small>" "{text}</span> }
+        let text = move || format::sided(terms().map(of), 1);
+        view! { <span class:hidden=move || held().is_some()><small>{name}</small>" "{text}</span> }
     };
     view! {
-        <section class="terms">
+        <section class="terms" data-value="terms">
             <span class="label">"ORDER ="</span>
+            <b class:hidden=move || held().is_none()>{move || format!("HELD {}", format::sided(held(), 1))}</b>
             {part("heading", |terms| terms.proportional)}
             {part("rate", |terms| terms.rate)}
             {part("bias", |terms| terms.integral)}

@@ -104,11 +104,16 @@ impl Frame {
     pub fn path(&self, points: &[Point]) -> String {
         let mut text = String::with_capacity(points.len() * 14);
         for (index, point) in points.iter().enumerate() {
-            let (x, y) = self.point(*point);
-            text.push(if index == 0 { 'M' } else { 'L' });
-            text.push_str(&format!("{} {}", fixed(x, 1), fixed(y, 1)));
+            self.go(&mut text, index == 0, *point);
         }
         text
+    }
+
+    /// One more point of a path; `begins`: no line leads to it.
+    pub fn go(&self, path: &mut String, begins: bool, point: Point) {
+        let (x, y) = self.point(point);
+        path.push(if begins { 'M' } else { 'L' });
+        path.push_str(&format!("{} {}", fixed(x, 1), fixed(y, 1)));
     }
 
     /// A line of the plane from `point` in the direction `degrees`, `metres` long.

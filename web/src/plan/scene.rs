@@ -5,7 +5,8 @@ use super::{foreign, ship, track};
 use crate::drawing::Drawing;
 use crate::format;
 use crate::reading::Readings;
-use wheelover_core::geo::{Point, Position};
+use crate::trail::Trail;
+use wheelover_core::geo::Point;
 use wheelover_core::route::foreign::Told;
 use wheelover_core::view::{ChartOwn, Outline, RouteDocument};
 
@@ -27,7 +28,7 @@ pub struct Scene<'a> {
     /// What the sentences of a foreign one tell; absent with our own.
     pub told: Option<Told>,
     /// The track made good.
-    pub trail: &'a [Position],
+    pub trail: &'a Trail,
 }
 
 impl Scene<'_> {
@@ -73,6 +74,7 @@ pub fn vector_minutes(range_nm: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::reading::Reading;
+    use wheelover_core::geo::Position;
     use wheelover_core::limits::Freshness;
     use wheelover_core::view::{TurnView, WaypointView};
 
@@ -132,7 +134,7 @@ mod tests {
             route: &route(),
             chart: Some(&chart),
             told: None,
-            trail: &[],
+            trail: &Trail::default(),
         }
         .markup()
     }

@@ -4,6 +4,8 @@ use super::frame::Frame;
 use super::scene::{Scene, vector_minutes};
 use super::shapes::predicted;
 use crate::drawing::Drawing;
+use crate::format::fixed;
+use crate::reading::state_name;
 use wheelover_core::geo::Point;
 use wheelover_core::view::Outline;
 
@@ -13,8 +15,11 @@ const SMALL: f64 = 24.0;
 /// Own ship and her lines. Without a position there is no ship; without a heading no outline.
 pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
     let (frame, readings) = (&scene.frame, scene.readings);
-    let trail: Vec<Point> = scene.trail.iter().map(|p| frame.plane.point(*p)).collect();
-    drawing.path("trail", "track-made-good", &frame.path(&trail));
+    let mut made_good = String::new();
+    for dot in scene.trail.dots() {
+        frame.go(&mut made_good, dot.begins, frame.plane.point(dot.place));
+    }
+    drawing.path("trail", "track-made-good", &made_good);
     let Some(position) = readings.position.value else {
         return;
     };
@@ -47,8 +52,11 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
         drawing
             .open("path")
             .attribute("class", "hull")
-            .attribute("data-plan", "own-ship");
-        drawing.number("data-heading", heading);
+            .attribute("data-plan", "own-ship")
+            .attribute("data-state", state_name(readings.heading.state))
+            .number("data-heading", heading)
+            .attribute("data-lat", fixed(position.lat, 6))
+            .attribute("data-lon", fixed(position.lon, 6));
         let outline = if small {
             String::new()
         } else {

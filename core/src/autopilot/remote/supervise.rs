@@ -206,15 +206,21 @@ impl Autopilot {
         format!("{text}: {steering}")
     }
 
-    /// MSC.74(69) A2 5.3.6: off the track by more than the corridor that HTC gives, or the setting.
-    fn watch_track(&mut self, now: Stamp) {
-        let limit = match self.remote.command(now, self.fail_ms()) {
+    /// Farther off the track is an alarm, metres: by the corridor that HTC gives, else by the setting.
+    #[must_use]
+    pub fn off_track_limit(&self, now: Stamp) -> f64 {
+        match self.remote.command(now, self.fail_ms()) {
             Some(crate::command::Remote::Track {
                 off_track_limit: Some(limit),
                 ..
             }) => limit.m(),
             _ => self.settings.off_track_limit,
-        };
+        }
+    }
+
+    /// MSC.74(69) A2 5.3.6: off the track by more than the corridor that HTC gives, or the setting.
+    fn watch_track(&mut self, now: Stamp) {
+        let limit = self.off_track_limit(now);
         let off = (self.steered.as_ref())
             .and_then(|steered| steered.cross_track)
             .map(|off| libm::fabs(off.m()));

@@ -30,6 +30,12 @@ impl Autopilot {
         self.heading
     }
 
+    /// When the sources were judged last, at the control step before this: what was heard then or later waits for the next.
+    #[must_use]
+    pub fn judged_at(&self) -> Stamp {
+        Stamp(self.next_step.0.saturating_sub(self.step_ms()))
+    }
+
     /// The position that is believed: of the receiver in use, carried on; absent 5 s after its last good fix.
     #[must_use]
     pub fn believed_position(&self, now: Stamp) -> Option<Position> {
