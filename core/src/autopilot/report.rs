@@ -153,7 +153,7 @@ impl Autopilot {
             reference: Some(Reference::True),
             rudder_status: within(!limited),
             off_heading_status: within(!self.off_heading()),
-            heading: self.heading.map(crate::units::Heading::deg),
+            heading: self.heading.map(Heading::deg),
             ..Htd::default()
         };
         let row = self.mode.row();

@@ -1,6 +1,6 @@
 //! What the autopilot believes of the ship, and which sources it does not believe, for whoever shows it (DSP-5).
 
-use super::super::Autopilot;
+use super::super::{Autopilot, Timer};
 use super::compass::Doubt;
 use super::speed::Measure;
 use crate::alerts::Alert;
@@ -33,7 +33,8 @@ impl Autopilot {
     /// When the sources were judged last, at the control step before this: what was heard then or later waits for the next.
     #[must_use]
     pub fn judged_at(&self) -> Stamp {
-        Stamp(self.next_step.0.saturating_sub(self.step_ms()))
+        let next = self.timers.at(Timer::Step).unwrap_or(self.now);
+        Stamp(next.0.saturating_sub(self.step_ms()))
     }
 
     /// The position that is believed: of the receiver in use, carried on; absent 5 s after its last good fix.
