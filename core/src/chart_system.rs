@@ -20,6 +20,7 @@ use crate::picture::Picture;
 use crate::post::{self, Post, Station};
 use crate::route::{Progress, Route};
 use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
+use crate::talk::SECOND_MS;
 use crate::time::Stamp;
 use crate::units::{Distance, Speed};
 use alloc::string::String;
@@ -30,9 +31,6 @@ use followed::Followed;
 use indications::TurnIndications;
 use position::PositionGuard;
 use serde::{Deserialize, Serialize};
-
-/// Period of the sentences, milliseconds.
-const PERIOD_MS: u64 = 1_000;
 
 /// How a chart system is set up.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -181,12 +179,12 @@ impl ChartSystem {
     fn run(&mut self, now: Stamp, out: &mut Vec<Output>) {
         let mut next = self.next.unwrap_or(now);
         // Late by more than two periods: the missed sentences are not made up for.
-        if now.since(next) > 2 * PERIOD_MS {
-            next = next + now.since(next) / PERIOD_MS * PERIOD_MS;
+        if now.since(next) > 2 * SECOND_MS {
+            next = next + now.since(next) / SECOND_MS * SECOND_MS;
         }
         while next <= now {
             self.step(next, out);
-            next = next + PERIOD_MS;
+            next = next + SECOND_MS;
         }
         self.next = Some(next);
         self.now = self.now.max(now);
@@ -199,11 +197,9 @@ impl ChartSystem {
         post::time_out(self, now, out);
         self.monitor(now);
         self.watch_over(now);
-        let lines = self.sentences(now);
         for port in 0..self.post.ports().len() {
-            if self.post.ports()[port].profile != Profile::Ecdis {
-                continue;
-            }
+            let profile = self.post.ports()[port].profile;
+            let lines: Vec<String> = self.sentences(now, profile).collect();
             for line in &lines {
                 self.post.say(now, port, line, out);
             }

@@ -22,6 +22,7 @@ pub mod route;
 pub mod scenario;
 pub mod settings;
 pub mod station;
+pub mod talk;
 pub mod time;
 mod timers;
 pub mod units;

@@ -69,6 +69,21 @@ pub enum Profile {
 }
 
 impl Profile {
+    /// All, in the order of the interface (section 3a).
+    pub const ALL: [Self; 11] = [
+        Self::Ecdis,
+        Self::Gyro1,
+        Self::Gyro2,
+        Self::Thd,
+        Self::Magn,
+        Self::Gps,
+        Self::Log,
+        Self::Rot,
+        Self::Gear,
+        Self::Hmi,
+        Self::Monitor,
+    ];
+
     /// Name in the configuration, and of a port that is cabled inside.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -6,20 +6,6 @@ use wheelover_core::picture::{self, Picture};
 use wheelover_core::station::{ChecksumPolicy, Direction, PortSetup, Profile, Role};
 use wheelover_core::time::Stamp;
 
-const PROFILES: [Profile; 11] = [
-    Profile::Ecdis,
-    Profile::Gyro1,
-    Profile::Gyro2,
-    Profile::Thd,
-    Profile::Magn,
-    Profile::Gps,
-    Profile::Log,
-    Profile::Rot,
-    Profile::Gear,
-    Profile::Hmi,
-    Profile::Monitor,
-];
-
 /// Every sentence line that stands in the samples and the printed examples, right and wrong ones.
 fn lines() -> Vec<Vec<u8>> {
     let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data");
@@ -57,13 +43,13 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
         baud: 4800,
         output: true,
     };
-    let mut whole = Picture::new(Role::Autopilot, PROFILES.map(port).to_vec());
+    let mut whole = Picture::new(Role::Autopilot, Profile::ALL.map(port).to_vec());
     let mut part = whole.clone();
     let lines = lines();
     assert!(lines.len() > 200, "{} lines", lines.len());
     let (mut changes, mut ever) = (0, [false; 3]);
     for (index, line) in lines.iter().enumerate() {
-        for (port, profile) in PROFILES.into_iter().enumerate() {
+        for (port, profile) in Profile::ALL.into_iter().enumerate() {
             for dir in [Direction::In, Direction::Out] {
                 let (at, before) = (Stamp(index as u64 * 100), whole.digest());
                 whole.fold_sentence(at, port, dir, &decode(line));

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
+use wheelover_core::talk::{Slot, slot};
 
 /// Kinds that may wait at once; far more than any port has.
 const PLACES: usize = 128;
@@ -12,12 +13,17 @@ const OLDEST: Duration = Duration::from_secs(2);
 
 #[derive(Debug)]
 struct Waiting {
-    key: Vec<u8>,
     line: Vec<u8>,
     since: Instant,
 }
 
-/// One slot for each formatter and sub-identifier. Pushing never waits.
+impl Waiting {
+    fn slot(&self) -> Slot<'_> {
+        slot(&self.line)
+    }
+}
+
+/// One place for each sentence, by the table of what is said. Pushing never waits.
 #[derive(Debug, Default)]
 pub(crate) struct Outbox {
     waiting: Mutex<VecDeque<Waiting>>,
@@ -33,18 +39,17 @@ impl Outbox {
     pub(crate) fn push(&self, sentences: &[u8], now: Instant) {
         let mut waiting = self.lock();
         for line in sentences.split_inclusive(|byte| *byte == b'\n') {
-            let key = key(line);
             let fresh = Waiting {
                 line: line.to_vec(),
                 since: now,
-                key,
             };
-            if let Some(old) = waiting.iter_mut().find(|old| old.key == fresh.key) {
+            let place = slot(line);
+            if let Some(old) = waiting.iter_mut().find(|old| old.slot() == place) {
                 *old = fresh;
                 continue;
             }
             if waiting.len() >= PLACES {
-                let periodic = waiting.iter().position(|old| !is_event(&old.key));
+                let periodic = waiting.iter().position(|old| !old.slot().event);
                 waiting.remove(periodic.unwrap_or(0));
             }
             waiting.push_back(fresh);
@@ -57,7 +62,7 @@ impl Outbox {
     pub(crate) fn take(&self, now: Instant) -> Option<Vec<u8>> {
         let mut waiting = self.lock();
         while let Some(next) = waiting.pop_front() {
-            if is_event(&next.key) || now.saturating_duration_since(next.since) <= OLDEST {
+            if next.slot().event || now.saturating_duration_since(next.since) <= OLDEST {
                 return Some(next.line);
             }
         }
@@ -73,40 +78,6 @@ impl Outbox {
             self.news.notified().await;
         }
     }
-}
-
-/// Sentences that are sent once, when something happens; they are never left out.
-fn is_event(key: &[u8]) -> bool {
-    [b"ALR", b"ALA", b"ALF", b"ALC", b"ARC"]
-        .iter()
-        .any(|event| key.starts_with(*event))
-}
-
-/// Formatter and sub-identifier: PNEY number, alert number, part of a series.
-fn key(line: &[u8]) -> Vec<u8> {
-    let end = line
-        .iter()
-        .position(|byte| *byte == b'*')
-        .unwrap_or(line.len());
-    let fields: Vec<&[u8]> = line[..end].split(|byte| *byte == b',').collect();
-    let address = fields.first().copied().unwrap_or_default();
-    let proprietary = address.get(1) == Some(&b'P');
-    let from = if proprietary { 1 } else { 3 };
-    let mut key = address.get(from..).unwrap_or(address).to_vec();
-    let further: &[usize] = match key.as_slice() {
-        _ if proprietary => &[1],
-        b"ALR" => &[2],
-        b"ALA" => &[2, 3, 4, 5],
-        b"ALF" => &[2, 8, 9, 10],
-        b"ALC" => &[2],
-        b"ARC" => &[2, 3, 4],
-        _ => &[],
-    };
-    for index in further {
-        key.push(b',');
-        key.extend_from_slice(fields.get(*index).copied().unwrap_or_default());
-    }
-    key
 }
 
 #[cfg(test)]
@@ -155,12 +126,6 @@ mod tests {
             &["$AGALR,,012,A,V,\r\n", "$AGALR,,012,V,V,\r\n"],
             &["$AGALR,,012,V,V,\r\n"],
         );
-        let parts = [
-            "$AGALF,2,1,0,,B,A,V,,245,1,1\r\n",
-            "$AGALF,2,2,0,,,,,,245,1,1\r\n",
-            "$AGALF,2,1,1,,B,A,V,,246,1,1\r\n",
-        ];
-        check(&parts, &parts);
     }
 
     #[test]

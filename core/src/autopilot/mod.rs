@@ -21,6 +21,7 @@ use crate::nmea::{self, Sentence};
 use crate::post::{self, Post, Station};
 use crate::settings::Settings;
 use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
+use crate::talk::{SECOND_MS, Share, When};
 use crate::time::Stamp;
 use crate::timers::Timers;
 use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
@@ -71,6 +72,7 @@ pub struct Autopilot {
     nearest: Option<(f64, Heading)>,
     /// Alert reports that wait for their share of the line (AP-11).
     reports: VecDeque<Alert>,
+    share: Share,
     now: Stamp,
 }
 
@@ -118,12 +120,13 @@ impl Autopilot {
             speed_guard: SpeedGuard::default(),
             remote: Remote::default(),
             nearest: None,
-            timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + 1_000)]),
+            timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + SECOND_MS)]),
             reports: Alert::ALL
                 .iter()
                 .copied()
                 .filter(|alert| alert.number() < 200)
                 .collect(),
+            share: Share::default(),
             now,
         }
     }
@@ -155,7 +158,7 @@ impl Autopilot {
         self.timers.set(Timer::Step, now + self.step_ms());
         let mut second = self.timers.at(Timer::Second).unwrap_or(now);
         while second <= now {
-            second = second + 1_000;
+            second = second + SECOND_MS;
         }
         self.timers.set(Timer::Second, second);
         let text = format!("the control loop was {ms} ms late");
@@ -182,8 +185,8 @@ impl Autopilot {
                 self.timers.set(timer, at + self.step_ms());
                 self.step(at, out);
             } else {
-                self.timers.set(timer, at + 1_000);
-                self.report(at, out);
+                self.timers.set(timer, at + SECOND_MS);
+                self.report(at, When::Every(SECOND_MS), out);
             }
         }
         self.now = now;
@@ -217,7 +220,8 @@ impl Autopilot {
         }
         self.watch_rudder(now);
         self.watch_heading(now);
-        self.send_order(out);
+        self.report(now, When::Step, out);
+        self.report_alerts(now, out);
     }
 
     /// Takes a transition; the order does not jump (FA6).

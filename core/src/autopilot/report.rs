@@ -8,13 +8,13 @@ use crate::nmea::{
     OverrideStatus, Reference, Ror, Rsa, TurnMode,
 };
 use crate::path::Part;
-use crate::station::{Output, Profile};
+use crate::station::{Output, PortIndex, Profile, Role};
+use crate::talk::{self, Row, Saying, When};
 use crate::time::Stamp;
 use crate::units::{Heading, RudderAngle};
+use alloc::string::String;
 use alloc::vec::Vec;
 
-/// The autopilot's talker (SEN-3).
-const TALKER: &str = "AG";
 /// Off the set heading for so long before the alert, which a turn would else raise.
 const OFF_HEADING_MS: u64 = 60_000;
 /// A turn brings her nearer by at least so much, degrees.
@@ -24,59 +24,65 @@ const RUDDER_ERROR_DEG: f64 = 5.0;
 const RUDDER_ERROR_MS: u64 = 5_000;
 
 impl Autopilot {
-    /// Once a second, to the chart system and to listeners (section 3).
-    pub(super) fn report(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        let htd = self.htd().line(TALKER);
-        let rsa = self.rsa().line(TALKER);
-        let ror = self.ror().line(TALKER);
-        // AP-12: the heading goes on with its source's talker.
-        let hdt = self
-            .post
-            .picture
-            .heading(now)
-            .zip(self.heading)
-            .map(|(heard, heading)| {
-                Hdt {
-                    heading: Some(heading.deg()),
-                }
-                .line(&heard.source.talker)
-            });
+    /// What is due on each port, by the table: once a second, or in a control step.
+    pub(super) fn report(&mut self, now: Stamp, due: When, out: &mut Vec<Output>) {
         for port in 0..self.post.picture.ports.len() {
-            if matches!(
-                self.post.picture.ports[port].profile,
-                Profile::Ecdis | Profile::Monitor
-            ) {
-                for line in [Some(&htd), Some(&rsa), Some(&ror), hdt.as_ref()]
-                    .into_iter()
-                    .flatten()
-                {
-                    self.post.say(now, port, line, out);
+            let profile = self.post.picture.ports[port].profile;
+            let rows = talk::told(Role::Autopilot, profile).iter();
+            for row in rows.filter(|row| row.when == due) {
+                if let Some(line) = self.line(now, row) {
+                    self.post.say(now, port, &line, out);
                 }
             }
         }
     }
 
-    /// Once a step: the order to the gear, and alert reports within their share of the line (AP-11).
-    pub(super) fn send_order(&mut self, out: &mut Vec<Output>) {
-        let ror = self.ror().line(TALKER);
+    /// A sentence as it is now; absent where there is nothing to say, and what is not an autopilot's to say.
+    fn line(&self, now: Stamp, row: &Row) -> Option<String> {
+        Some(match (row.saying, row.talker) {
+            (Saying::Htd, Some(talker)) => self.htd().line(talker),
+            (Saying::Rsa, Some(talker)) => self.rsa().line(talker),
+            (Saying::Ror, Some(talker)) => self.ror().line(talker),
+            // AP-12: the heading goes on with its source's talker.
+            (Saying::Hdt, None) => {
+                let source = &self.post.picture.heading(now)?.source;
+                let heading = Some(self.heading?.deg());
+                Hdt { heading }.line(&source.talker)
+            }
+            _ => return None,
+        })
+    }
+
+    /// Reports of alerts, within their share of the line (AP-11); where they are told to several, of the slowest.
+    pub(super) fn report_alerts(&mut self, now: Stamp, out: &mut Vec<Output>) {
         for alert in self.alerts.take_changed() {
             self.reports.retain(|waiting| *waiting != alert);
             self.reports.push_front(alert);
         }
-        let turn = (self.now.0 / self.step_ms()).is_multiple_of(2);
-        let alr = turn
-            .then(|| self.reports.pop_front())
-            .flatten()
-            .map(|alert| self.alr(alert).line(TALKER));
-        for port in 0..self.post.picture.ports.len() {
-            match self.post.picture.ports[port].profile {
-                Profile::Gear => self.post.say(self.now, port, &ror, out),
-                Profile::Ecdis => {
-                    if let Some(alr) = &alr {
-                        self.post.say(self.now, port, alr, out);
-                    }
-                }
-                _ => {}
+        let ports = self.post.ports().iter().enumerate();
+        let told: Vec<(PortIndex, u32, &Row)> = ports
+            .filter(|(_, port)| port.output)
+            .filter_map(|(index, port)| {
+                let rows = talk::told(Role::Autopilot, port.profile);
+                let row = rows.iter().find(|row| row.saying == Saying::Alr)?;
+                Some((index, port.baud, row))
+            })
+            .collect();
+        let Some(&(_, baud, row)) = told
+            .iter()
+            .min_by_key(|(_, baud, _)| talk::alert_share(*baud))
+        else {
+            self.reports.clear(); // there is nobody to tell
+            return;
+        };
+        while let Some(alert) = self.reports.front().copied() {
+            let line = self.alr(alert).line(row.talker.unwrap_or_default());
+            if !self.share.take(now, self.step_ms(), baud, &line) {
+                return;
+            }
+            self.reports.pop_front();
+            for (port, ..) in &told {
+                self.post.say(now, *port, &line, out);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The seven sentences of each second (interface section 4).
+//! What the chart system says each second (interface section 4).
 
 use super::ChartSystem;
 use super::commanding::Commanding;
@@ -7,13 +7,12 @@ use crate::nmea::{
     SteeringMode, TurnMode, Vhw, Vtg, Xte,
 };
 use crate::route::{Phase, Turn};
+use crate::station::{Profile, Role};
+use crate::talk::{self, Saying};
 use crate::time::Stamp;
 use crate::units::{Course, Distance};
 use alloc::string::String;
-use alloc::vec::Vec;
 
-/// Talker of a chart system (SEN-3).
-const TALKER: &str = "EI";
 /// Kilometres an hour in a knot.
 const KMH_PER_KNOT: f64 = 1.852;
 /// Look-ahead of the course to steer in "Tn", seconds, and the largest cut, degrees.
@@ -21,18 +20,23 @@ const LOOK_AHEAD_S: f64 = 60.0;
 const LARGEST_CUT_DEG: f64 = 30.0;
 
 impl ChartSystem {
-    /// What is said at `now`, in the order of the source.
-    pub(super) fn sentences(&self, now: Stamp) -> Vec<String> {
-        let (xte, pney1) = self.cross_track(now);
-        alloc::vec![
-            self.htc(now).line(TALKER),
-            xte.line(TALKER),
-            pney1.line("P"),
-            self.pney2().line("P"),
-            self.gll(now).line(TALKER),
-            self.vtg(now).line(TALKER),
-            self.vhw(now).line(TALKER),
-        ]
+    /// What is said at `now` on a port, in the order of the table; absent what is not a chart system's to say.
+    pub(super) fn sentences(&self, now: Stamp, profile: Profile) -> impl Iterator<Item = String> {
+        talk::told(Role::ChartSystem, profile)
+            .iter()
+            .filter_map(move |row| {
+                let talker = row.talker?;
+                Some(match row.saying {
+                    Saying::Htc => self.htc(now).line(talker),
+                    Saying::Xte => self.xte(now).line(talker),
+                    Saying::Pney1 => self.pney1(now).line(talker),
+                    Saying::Pney2 => self.pney2().line(talker),
+                    Saying::Gll => self.gll(now).line(talker),
+                    Saying::Vtg => self.vtg(now).line(talker),
+                    Saying::Vhw => self.vhw(now).line(talker),
+                    _ => return None,
+                })
+            })
     }
 
     fn phase(&self) -> Option<Phase> {
@@ -140,7 +144,7 @@ impl ChartSystem {
     }
 
     /// TCS-3: an invalid position changes status and mode, the last distances stay.
-    fn cross_track(&self, now: Stamp) -> (Xte, Pney1) {
+    fn integrity(&self, now: Stamp) -> (DataStatus, ModeIndicator) {
         let mode = self
             .here(now)
             .map_or(ModeIndicator::NotValid, |here| here.mode);
@@ -149,19 +153,27 @@ impl ChartSystem {
         } else {
             DataStatus::Invalid
         };
-        let xte = Xte {
+        (status, mode)
+    }
+
+    fn xte(&self, now: Stamp) -> Xte {
+        let (status, mode) = self.integrity(now);
+        Xte {
             status: Some(status),
             cycle_lock: Some(DataStatus::Valid),
             cross_track: self.shown.display.map(Distance::nm),
             mode: Some(mode),
-        };
-        let pney1 = Pney1 {
+        }
+    }
+
+    fn pney1(&self, now: Stamp) -> Pney1 {
+        let (status, mode) = self.integrity(now);
+        Pney1 {
             status: Some(status),
             cycle_lock: Some(DataStatus::Valid),
             cross_track: self.shown.control.map(Distance::nm),
             mode: Some(mode),
-        };
-        (xte, pney1)
+        }
     }
 
     fn pney2(&self) -> Pney2 {

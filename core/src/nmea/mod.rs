@@ -55,6 +55,7 @@ mod framer;
 mod hints;
 mod json;
 mod known;
+mod longest;
 mod macros;
 mod read;
 mod scan;

@@ -8,7 +8,7 @@
 mod hull;
 mod noise;
 mod sensors;
-mod talk;
+mod sentences;
 
 pub use hull::{Drive, Hull};
 pub use noise::{Drift, Random, Waves};
@@ -20,6 +20,7 @@ use crate::nmea::Sentence;
 use crate::picture::Picture;
 use crate::post::{self, Post, Station};
 use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
+use crate::talk::{self, Row, SECOND_MS, Saying};
 use crate::time::Stamp;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::format;
@@ -300,19 +301,34 @@ impl World {
             &mut self.random,
             dt,
         );
-        let heading = talk::heading(self.compass.heading);
-        let rate = talk::rate(self.compass.rate);
-        self.say(now, Profile::Gyro1, &[&heading, &rate], out);
-        let rudder = talk::rudder(self.hull.rudder.to_degrees());
-        self.say(now, Profile::Gear, &[&rudder], out);
-        if self.steps.is_multiple_of(1000 / STEP) {
-            self.say_each_second(now, out);
+        if self.steps.is_multiple_of(SECOND_MS / STEP) {
+            self.measure_each_second();
+        }
+        for told in talk::TABLE
+            .iter()
+            .filter(|told| told.station == Role::World)
+        {
+            let due = |row: &&Row| {
+                let period = row.period_ms().unwrap_or(STEP);
+                self.steps.is_multiple_of(period / STEP)
+            };
+            let lines = told.rows.iter().filter(due);
+            let lines: Vec<String> = lines.filter_map(|row| self.line(now, row)).collect();
+            let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
+            if lines.is_empty() {
+                continue;
+            }
+            for profile in told.profiles {
+                if let Some(port) = self.port(*profile) {
+                    self.post.say_together(now, port, &lines, out);
+                }
+            }
         }
         self.steps += 1;
         self.next = now + STEP;
     }
 
-    fn say_each_second(&mut self, now: Stamp, out: &mut Vec<Output>) {
+    fn measure_each_second(&mut self) {
         let velocity = self.hull.ground_velocity(&self.drive);
         let noise = self.config.noise;
         let place = self.place();
@@ -322,17 +338,20 @@ impl World {
             let jump = if self.log_injury.jump { 5.0 } else { 0.0 };
             self.log_speed = self.hull.surge + jump;
         }
-        let position = talk::position(self.receiver.position, now);
-        let velocity = talk::velocity(self.receiver.course, self.receiver.speed);
-        self.say(now, Profile::Gps, &[&position, &velocity], out);
-        let log = talk::log(self.log_speed);
-        self.say(now, Profile::Log, &[&log], out);
     }
 
-    fn say(&mut self, now: Stamp, profile: Profile, lines: &[&str], out: &mut Vec<Output>) {
-        if let Some(port) = self.port(profile) {
-            self.post.say_together(now, port, lines, out);
-        }
+    /// A sentence as it is measured now; absent what is not a sensor's to say.
+    fn line(&self, now: Stamp, row: &Row) -> Option<String> {
+        let talker = row.talker?;
+        Some(match row.saying {
+            Saying::Hdt => sentences::heading(self.compass.heading, talker),
+            Saying::Rot => sentences::rate(self.compass.rate, talker),
+            Saying::Rsa => sentences::rudder(self.hull.rudder.to_degrees(), talker),
+            Saying::Gll => sentences::position(self.receiver.position, now, talker),
+            Saying::Vtg => sentences::velocity(self.receiver.course, self.receiver.speed, talker),
+            Saying::Vhw => sentences::log(self.log_speed, talker),
+            _ => return None,
+        })
     }
 }
 
@@ -343,7 +362,7 @@ impl Station for World {
 
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
         if self.post.ports()[port].profile == Profile::Gear
-            && let Some(order) = talk::order(sentence)
+            && let Some(order) = sentences::order(sentence)
         {
             self.order = order.map(|angle| (angle.rad(), now));
         }

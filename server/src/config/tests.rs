@@ -133,7 +133,7 @@ fn a_line_that_would_be_overloaded_is_refused_with_the_sum() {
     check(
         &gear("20"),
         4,
-        &["ROR 29 x 20 = 580", "121 %", "480", "80 %"],
+        &["ROR 31 x 20 = 620", "129 %", "480", "80 %"],
     );
     assert!(
         from_text(

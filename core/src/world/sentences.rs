@@ -12,46 +12,46 @@ const VALID: Option<DataStatus> = Some(DataStatus::Valid);
 const DIFFERENTIAL: Option<ModeIndicator> = Some(ModeIndicator::Differential);
 
 /// Gyro: HDT.
-pub(super) fn heading(degrees: f64) -> String {
+pub(super) fn heading(degrees: f64, talker: &str) -> String {
     let hdt = Hdt {
         heading: Some(degrees),
     };
-    hdt.line("HE")
+    hdt.line(talker)
 }
 
 /// Gyro: ROT.
-pub(super) fn rate(degrees_per_minute: f64) -> String {
+pub(super) fn rate(degrees_per_minute: f64, talker: &str) -> String {
     let rot = Rot {
         rate: Some(degrees_per_minute),
         status: VALID,
     };
-    rot.line("HE")
+    rot.line(talker)
 }
 
 /// Steering gear: RSA with a single rudder.
-pub(super) fn rudder(degrees: f64) -> String {
+pub(super) fn rudder(degrees: f64, talker: &str) -> String {
     let rsa = Rsa {
         starboard: Some(degrees),
         starboard_status: VALID,
         port: None,
         port_status: Some(DataStatus::Invalid),
     };
-    rsa.line("II")
+    rsa.line(talker)
 }
 
 /// Position receiver: GLL with differential correction.
-pub(super) fn position(at: Position, now: Stamp) -> String {
+pub(super) fn position(at: Position, now: Stamp, talker: &str) -> String {
     let gll = Gll {
         position: Some(at),
         time: Some(UtcTime::from_seconds(now.seconds())),
         status: VALID,
         mode: DIFFERENTIAL,
     };
-    gll.line("GP")
+    gll.line(talker)
 }
 
 /// Position receiver: VTG; speed in m/s.
-pub(super) fn velocity(course: f64, speed: f64) -> String {
+pub(super) fn velocity(course: f64, speed: f64, talker: &str) -> String {
     let vtg = Vtg {
         course_true: Some(course),
         speed_knots: Some(speed / METRES_PER_SECOND_PER_KNOT),
@@ -59,17 +59,17 @@ pub(super) fn velocity(course: f64, speed: f64) -> String {
         mode: DIFFERENTIAL,
         ..Vtg::default()
     };
-    vtg.line("GP")
+    vtg.line(talker)
 }
 
 /// Speed log: VHW; speed in m/s.
-pub(super) fn log(speed: f64) -> String {
+pub(super) fn log(speed: f64, talker: &str) -> String {
     let vhw = Vhw {
         speed_knots: Some(speed / METRES_PER_SECOND_PER_KNOT),
         speed_kmh: Some(speed * 3.6),
         ..Vhw::default()
     };
-    vhw.line("VD")
+    vhw.line(talker)
 }
 
 /// The rudder order of an ROR: the angle, or nothing where its status is not A. The outer none: another sentence.

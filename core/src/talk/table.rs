@@ -1,0 +1,172 @@
+//! The table: station, port, sentence, talker, and when it is said.
+
+use crate::nmea::{self, Definition};
+use crate::station::{Profile, Role};
+
+/// The period of what is said once a second, milliseconds.
+pub const SECOND_MS: u64 = 1_000;
+
+/// When a sentence is said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// Once in so many milliseconds.
+    Every(u64),
+    /// With each control step (AP-15).
+    Step,
+    /// When what it reports has changed, within the share of the line (AP-11).
+    Change {
+        /// Field that names what it reports, from 1: each has its own place in what waits to be sent.
+        of: usize,
+    },
+}
+
+macro_rules! sayings {
+    ($($name:ident $sentence:ident),* $(,)?) => {
+        /// A sentence that a station says.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[allow(missing_docs)]
+        pub enum Saying { $($name,)* }
+
+        impl Saying {
+            /// Its entry in the dictionary.
+            #[must_use]
+            pub const fn definition(self) -> &'static Definition {
+                match self { $(Self::$name => &nmea::$sentence::DEFINITION,)* }
+            }
+        }
+    };
+}
+
+sayings! {
+    Alr alr, Gll gll, Hdt hdt, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Xte xte,
+}
+
+/// A sentence of a station on a port.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Which sentence.
+    pub saying: Saying,
+    /// As whom (SEN-3); none where it is passed on with the talker of its source.
+    pub talker: Option<&'static str>,
+    /// When.
+    pub when: When,
+}
+
+impl Row {
+    /// Formatter of the sentence.
+    #[must_use]
+    pub const fn formatter(&self) -> &'static str {
+        self.saying.definition().formatter
+    }
+
+    /// Its period in milliseconds; none where it follows control steps or events.
+    #[must_use]
+    pub const fn period_ms(&self) -> Option<u64> {
+        match self.when {
+            When::Every(period) => Some(period),
+            When::Step | When::Change { .. } => None,
+        }
+    }
+}
+
+/// What a station says on ports of some profiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Told {
+    /// Who.
+    pub station: Role,
+    /// Where.
+    pub profiles: &'static [Profile],
+    /// What, in the order in which it is said.
+    pub rows: &'static [Row],
+}
+
+const SECOND: When = When::Every(SECOND_MS);
+const TENTH: When = When::Every(100);
+
+const fn row(saying: Saying, talker: &'static str, when: When) -> Row {
+    Row {
+        saying,
+        talker: Some(talker),
+        when,
+    }
+}
+
+const HTD: Row = row(Saying::Htd, "AG", SECOND);
+const RSA: Row = row(Saying::Rsa, "AG", SECOND);
+const ROR: Row = row(Saying::Ror, "AG", SECOND);
+/// AP-12.
+const HDT: Row = Row {
+    saying: Saying::Hdt,
+    talker: None,
+    when: SECOND,
+};
+
+/// The table.
+pub static TABLE: &[Told] = &[
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Ecdis],
+        rows: &[
+            HTD,
+            RSA,
+            ROR,
+            HDT,
+            row(Saying::Alr, "AG", When::Change { of: 2 }),
+        ],
+    },
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Monitor],
+        rows: &[HTD, RSA, ROR, HDT],
+    },
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Gear],
+        rows: &[row(Saying::Ror, "AG", When::Step)],
+    },
+    Told {
+        station: Role::ChartSystem,
+        profiles: &[Profile::Ecdis],
+        rows: &[
+            row(Saying::Htc, "EI", SECOND),
+            row(Saying::Xte, "EI", SECOND),
+            row(Saying::Pney1, "P", SECOND),
+            row(Saying::Pney2, "P", SECOND),
+            row(Saying::Gll, "EI", SECOND),
+            row(Saying::Vtg, "EI", SECOND),
+            row(Saying::Vhw, "EI", SECOND),
+        ],
+    },
+    Told {
+        station: Role::World,
+        profiles: &[Profile::Gyro1],
+        rows: &[row(Saying::Hdt, "HE", TENTH), row(Saying::Rot, "HE", TENTH)],
+    },
+    Told {
+        station: Role::World,
+        profiles: &[Profile::Gear],
+        rows: &[row(Saying::Rsa, "II", TENTH)],
+    },
+    Told {
+        station: Role::World,
+        profiles: &[Profile::Gps],
+        rows: &[
+            row(Saying::Gll, "GP", SECOND),
+            row(Saying::Vtg, "GP", SECOND),
+        ],
+    },
+    Told {
+        station: Role::World,
+        profiles: &[Profile::Log],
+        rows: &[row(Saying::Vhw, "VD", SECOND)],
+    },
+];
+
+/// What a station says on a port of a profile, in the order in which it is said.
+#[must_use]
+pub fn told(station: Role, profile: Profile) -> &'static [Row] {
+    let mut all = TABLE.iter();
+    all.find(|told| told.station == station && told.profiles.contains(&profile))
+        .map_or(&[], |told| told.rows)
+}
