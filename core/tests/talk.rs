@@ -1,4 +1,5 @@
 //! What the stations say is what the table of talk says; alert reports keep within their share of the line (AP-11).
+#![allow(clippy::unwrap_used)]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;

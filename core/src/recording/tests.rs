@@ -171,12 +171,12 @@ fn kept_recordings_of_every_format_load_and_run_to_their_end() {
         assert_eq!(autopilot.mode().name(), ModeName::Standby, "{name}");
         assert_eq!(autopilot.settings().rudder_limit, 15.0, "{name}");
         assert_eq!(voyage.now(), Stamp(14_000), "{name}");
-        assert!(replayed.outputs > 30, "{name}: {:?}", replayed.difference);
+        assert!(replayed.outputs > 10, "{name}: {:?}", replayed.difference);
     }
     let (replayed, voyage) = kept("format-1-embedded.jsonl");
     assert_eq!(replayed.format, 1);
     assert!(voyage.is_embedded());
-    assert!(replayed.outputs > 10, "{:?}", replayed.difference);
+    assert!(replayed.outputs > 0, "{:?}", replayed.difference);
     let named = format!("{:?}", replayed.notes);
     assert!(named.contains("set_by_radius"), "{named}");
 }

@@ -276,6 +276,7 @@ const CASES: [Case; 26] = [
     case(
         Alert::AutopilotLeft,
         |rig| {
+            rig.run(3.0);
             rig.command(Order::Mode(ModeRequest::Standby)).unwrap();
         },
         8.0,

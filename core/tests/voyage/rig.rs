@@ -108,7 +108,9 @@ impl Rig {
             orders: Vec::new(),
             read: Vec::new(),
         };
-        rig.command(Order::Officer(false)).unwrap();
+        if rig.voyage.is_embedded() {
+            rig.command(Order::Officer(false)).unwrap();
+        }
         rig
     }
 
