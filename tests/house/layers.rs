@@ -19,7 +19,7 @@ const OPEN: [(&str, &str); 14] = [
     ("core route", ". embedded fit leg progress turn"),
     ("core view", ". own route voyage"),
     ("core voyage", ". conduct see setup tap"),
-    ("web ", "app asking bridge deck later link top"),
+    ("web ", "app asking believed bridge deck later link reading top"),
     ("web link", ". socket voyage"),
     ("web plan", "foreign scene ship track"),
 ];
