@@ -17,6 +17,8 @@ pub use report::{Breach, Span};
 pub use timed::{Timed, timed};
 
 use crate::nmea::{self, FaultKind, Gll, Htc, Pney1, Pney2, Sentence, Xte};
+use crate::station::{Profile, Role};
+use crate::talk::{self, Row, Saying};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -26,10 +28,22 @@ use chart::ChartRules;
 use report::{Burst, Report};
 use serde::{Deserialize, Serialize};
 
-/// What the chart system sends each second.
-const CHART: [&str; 7] = ["HTC", "XTE", "PNEY,001", "PNEY,002", "GLL", "VTG", "VHW"];
-/// What the autopilot sends each second.
-const AUTOPILOT: [&str; 3] = ["HTD", "RSA", "ROR"];
+/// What a station says by the clock on the line between chart system and autopilot.
+fn says(station: Role) -> &'static [Row] {
+    talk::told(station, Profile::Ecdis)
+}
+
+/// Whether a station says a sentence there, by the clock and as itself; a heading that is passed on is not judged.
+fn speaks(station: Role, formatter: &str) -> bool {
+    says(station)
+        .iter()
+        .any(|row| row.formatter() == formatter && by_the_clock(row))
+}
+
+const fn by_the_clock(row: &Row) -> bool {
+    row.period_ms().is_some() && row.talker.is_some()
+}
+
 /// Lines farther apart belong to different bursts, seconds.
 const BURST_GAP_S: f64 = 0.25;
 
@@ -126,10 +140,10 @@ impl Checker {
             "HTD" => self.autopilot_talker = sentence.talker().into(),
             _ => {}
         }
-        let of_chart = CHART.contains(&sentence.formatter)
+        let of_chart = speaks(Role::ChartSystem, sentence.formatter)
             && (sentence.talker() == self.chart_talker || sentence.talker() == "P");
-        let of_autopilot =
-            AUTOPILOT.contains(&sentence.formatter) && sentence.talker() == self.autopilot_talker;
+        let of_autopilot = speaks(Role::Autopilot, sentence.formatter)
+            && sentence.talker() == self.autopilot_talker;
         self.sentences += u64::from(of_chart || of_autopilot);
         if of_chart && self.ends_burst(at, sentence.formatter) {
             self.close(out);
@@ -265,13 +279,12 @@ impl Checker {
         };
         // In heading control only HTC is needed, and where the others were never sent (N 1.1, 1.2).
         let all = self.chart.tracking() || self.chart_cadence.knows("XTE");
-        let needed = if all && !self.chart.heading_control() {
-            &CHART[..]
-        } else {
-            &CHART[..1]
-        };
-        self.chart_cadence.judge(now, needed, &mut report);
-        self.autopilot_cadence.judge(now, &AUTOPILOT, &mut report);
+        let all = all && !self.chart.heading_control();
+        let needed = |row: &Row| all || row.saying == Saying::Htc;
+        let (chart, autopilot) = (says(Role::ChartSystem), says(Role::Autopilot));
+        self.chart_cadence.judge(now, chart, needed, &mut report);
+        self.autopilot_cadence
+            .judge(now, autopilot, by_the_clock, &mut report);
         self.autopilot
             .silence(now, self.chart_cadence.last("HTC"), &mut report);
     }

@@ -1,18 +1,24 @@
-//! Cadence: a period of 0.8 to 1.2 s, no gap over 1.5 s, no sentence missing (CON-1).
+//! Cadence: each sentence with the period of the table of talk, 0.8 to 1.2 of it, no gap over 1.5 of it, none missing (CON-1).
 
 use super::report::Report;
+use crate::talk::Row;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
-/// Longest gap, seconds.
-const GAP_S: f64 = 1.5;
-/// Periods that are allowed, seconds, over so many intervals.
-const PERIOD_S: (f64, f64) = (0.8, 1.2);
+/// Longest gap, in periods.
+const GAP: f64 = 1.5;
+/// Mean intervals that are allowed, in periods, over so many of them.
+const MEAN: (f64, f64) = (0.8, 1.2);
 const INTERVALS: usize = 4;
-/// Two of one sentence within this time are one too many, seconds.
-const TWICE_S: f64 = 0.4;
+/// Two of one sentence within this part of its period are one too many.
+const TWICE: f64 = 0.4;
+
+/// Period of a sentence that comes by the clock, seconds.
+fn period_s(row: &Row) -> Option<f64> {
+    Some(row.period_ms()? as f64 / 1000.0)
+}
 
 /// How one sentence comes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -79,24 +85,39 @@ impl Cadence {
             .map(|beat| beat.last)
     }
 
-    /// Reports what has not come in time or comes too often, each once.
-    pub(super) fn judge(&mut self, now: f64, needed: &[&str], report: &mut Report<'_>) {
+    /// Reports what has not come in time or comes too often, each once: of all that may come, some is needed.
+    pub(super) fn judge(
+        &mut self,
+        now: f64,
+        all: &[Row],
+        needed: impl Fn(&Row) -> bool,
+        report: &mut Report<'_>,
+    ) {
         let Some(began) = self.began else { return };
-        for formatter in needed {
+        for row in all.iter().filter(|row| needed(row)) {
+            let Some(period) = period_s(row) else {
+                continue;
+            };
+            let formatter = row.formatter();
             let known = self.knows(formatter);
             let reported = self.never.iter().any(|never| never == formatter);
-            if !known && !reported && now - began > GAP_S {
-                self.never.push((*formatter).into());
+            if !known && !reported && now - began > GAP * period {
+                self.never.push(formatter.into());
                 report.breach("CON-1", format!("{formatter} is missing"));
             }
         }
         for beat in &mut self.beats {
-            let needed = needed.contains(&beat.formatter.as_str());
+            let row = all.iter().find(|row| row.formatter() == beat.formatter);
+            let Some((row, period)) = row.and_then(|row| Some((row, period_s(row)?))) else {
+                continue;
+            };
+            let needed = needed(row);
+            let (gap, twice) = (GAP * period, TWICE * period);
             let since = now - beat.last;
-            if needed && !beat.missing && since > GAP_S {
+            if needed && !beat.missing && since > gap {
                 beat.missing = true;
                 let text = format!(
-                    "{}: nothing for {since:.1} s, at most {GAP_S} s",
+                    "{}: nothing for {since:.1} s, at most {gap} s",
                     beat.formatter
                 );
                 report.breach("CON-1", text);
@@ -105,15 +126,15 @@ impl Cadence {
                 continue;
             }
             // A late sentence that has just come shows its gap in the interval.
-            let interval = beat.intervals.last().copied().unwrap_or(1.0);
-            if needed && interval > GAP_S {
+            let interval = beat.intervals.last().copied().unwrap_or(period);
+            if needed && interval > gap {
                 let text = format!(
-                    "{}: a gap of {interval:.1} s, at most {GAP_S} s",
+                    "{}: a gap of {interval:.1} s, at most {gap} s",
                     beat.formatter
                 );
                 report.breach("CON-1", text);
                 beat.intervals.clear();
-            } else if interval < TWICE_S {
+            } else if interval < twice {
                 let text = format!("{} again after {interval:.2} s", beat.formatter);
                 report.breach("CON-1", text);
                 beat.intervals.clear();
@@ -122,11 +143,12 @@ impl Cadence {
                 continue;
             }
             let mean = beat.intervals.iter().sum::<f64>() / INTERVALS as f64;
-            let astray = !(PERIOD_S.0..=PERIOD_S.1).contains(&mean);
+            let (least, most) = (MEAN.0 * period, MEAN.1 * period);
+            let astray = !(least..=most).contains(&mean);
             if astray && !beat.astray {
                 let text = format!(
-                    "{}: period {mean:.2} s, not {} to {} s",
-                    beat.formatter, PERIOD_S.0, PERIOD_S.1
+                    "{}: period {mean:.2} s, not {least} to {most} s",
+                    beat.formatter
                 );
                 report.breach("CON-1", text);
             }

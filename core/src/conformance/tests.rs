@@ -136,8 +136,21 @@ fn cadence_is_checked() {
         lines.retain(|(at, line)| !(line.contains(formatter) && (from..to).contains(at)));
         lines
     };
-    for formatter in ["XTE", "PNEY,001", "HTD", "VHW"] {
-        let (_, breaches) = checked(&silent(30.0, 33.0, formatter));
+    let said = [Role::ChartSystem, Role::Autopilot].map(says);
+    let all: Vec<_> = said
+        .into_iter()
+        .flatten()
+        .filter(|row| by_the_clock(row))
+        .collect();
+    assert_eq!(all.len(), 10, "{all:?}");
+    for row in all {
+        let formatter = row.formatter();
+        let (_, breaches) = checked(&silent(30.0, 33.0, &format!("{formatter},")));
+        // Without the command the rules on what it commands speak too.
+        if row.saying == Saying::Htc {
+            assert!(breaches.iter().any(|b| b.text.starts_with("HTC: nothing")));
+            continue;
+        }
         let found: Vec<_> = breaches
             .iter()
             .filter(|breach| breach.rule == "CON-1")
