@@ -1,4 +1,4 @@
-//! The link: whatever says the frames and takes the commands stands behind one [`Source`].
+//! The link: whatever says the frames and takes the commands stands behind one `Source`.
 //!
 //! A live ship, a voyage that runs in the page and, later, a recording are so the same page: each gives [`Down`] and takes [`Up`].
 //!
