@@ -268,6 +268,14 @@ impl Alerts {
         }
     }
 
+    /// Raises an alert with what happened, or rectifies it where nothing did.
+    pub fn tell(&mut self, now: Stamp, alert: Alert, happened: Option<String>) {
+        match happened {
+            Some(detail) => self.raise(now, alert, &detail),
+            None => self.rectify(now, alert),
+        }
+    }
+
     /// The condition is over: gone if it was taken, else kept until it is.
     pub fn rectify(&mut self, now: Stamp, alert: Alert) {
         let Some(index) = self.active.iter().position(|active| active.alert == alert) else {

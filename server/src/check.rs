@@ -146,6 +146,7 @@ fn write_summary(out: &mut impl Write, lines: u64, checker: &Checker) -> io::Res
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wheelover_core::nmea::with_checksum;
 
     fn checked(text: &str, json: bool) -> (Option<bool>, String) {
         let mut out = Vec::new();
@@ -153,18 +154,12 @@ mod tests {
         (found, String::from_utf8(out).unwrap())
     }
 
-    /// The line with its checksum.
-    fn line(body: &str) -> String {
-        let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
-        format!("${body}*{sum:02X}")
-    }
-
     #[test]
     fn a_breach_is_one_object_and_the_summary_the_last() {
         let text = format!(
             "0.000 < {}\n1.000 < {}\n",
-            line("EIHTC,V,,,T,R,,,,,,,245.0,T,C"),
-            line("EIHTC,V,,,T,N,,,,,,,245.0,T,C")
+            with_checksum("EIHTC,V,,,T,R,,,,,,,245.0,T,C"),
+            with_checksum("EIHTC,V,,,T,N,,,,,,,245.0,T,C")
         );
         let (found, out) = checked(&text, true);
         assert_eq!(found, Some(true));
@@ -186,7 +181,7 @@ mod tests {
 
     #[test]
     fn without_times_and_breaches_the_result_is_clean() {
-        let (found, out) = checked(&line("EIHTC,V,,,S,N,,,,,,,,T,C"), false);
+        let (found, out) = checked(&with_checksum("EIHTC,V,,,S,N,,,,,,,,T,C"), false);
         assert_eq!(
             (found, out.as_str()),
             (Some(false), "1 lines, 0 breaches\nsituation 1\n")

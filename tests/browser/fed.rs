@@ -5,7 +5,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use wheelover_tests::browser::Browser;
 use wheelover_tests::program::Program;
 use wheelover_tests::serial::{Line, Talker};
-use wheelover_tests::{folder, with_checksum};
+use wheelover_tests::with_checksum;
 
 const LONG: Duration = Duration::from_secs(60);
 
@@ -51,16 +51,7 @@ pub(crate) fn epoch() -> f64 {
 impl Fed {
     /// Starts all of it; gives it back when the page shows a live heading. `name` is that of its folder.
     pub(crate) async fn start(name: &str) -> Self {
-        let folder = folder(name);
-        let gyro = Line::new(&folder.join("gyro1"));
-        let text = format!(
-            "roles = [\"autopilot\"]\nallow_output = false\n[[port]]\nname = \"gyro1\"\nkind = \"serial\"\n\
-             path = \"{}\"\nbaud = 38400\nprofile = \"gyro1\"\n",
-            gyro.name().display()
-        );
-        let file = folder.join("wheelover.toml");
-        std::fs::write(&file, text).unwrap();
-        let program = Program::start(&["--config", &file.display().to_string()]);
+        let (program, gyro) = Program::beside(name, "gyro1");
         let said = Arc::new(Mutex::new(Vec::new()));
         let noted = said.clone();
         let talker = gyro.talk(move |tick| {

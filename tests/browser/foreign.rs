@@ -8,11 +8,19 @@ use wheelover_core::path::Path;
 use wheelover_core::units::{Course, Radius};
 use wheelover_tests::browser::Browser;
 use wheelover_tests::program::Program;
-use wheelover_tests::serial::Line;
-use wheelover_tests::{folder, with_checksum};
+use wheelover_tests::with_checksum;
 
 const LONG: Duration = Duration::from_secs(60);
 const SILENT: u8 = 9;
+/// Parts of the path that can be drawn.
+const ALL: [&str; 6] = [
+    "leg",
+    "arc",
+    "next-leg",
+    "radius-centre",
+    "wheel-over",
+    "corridor",
+];
 
 /// Northbound, then a turn of half a mile's radius to starboard onto 070.
 fn turn() -> Path {
@@ -77,36 +85,19 @@ fn said(situation: u8) -> Vec<String> {
 
 /// Whether of all parts of the path just these are drawn.
 fn drawn(parts: &[&str]) -> String {
-    let all = [
-        "leg",
-        "arc",
-        "next-leg",
-        "radius-centre",
-        "wheel-over",
-        "corridor",
-    ];
     let part = |name: &&str| {
         let there = if parts.contains(name) { "!!" } else { "!" };
         format!("{there}document.querySelector('.plan [data-plan=\"{name}\"]')")
     };
     format!(
         "return {};",
-        all.iter().map(part).collect::<Vec<_>>().join(" && ")
+        ALL.iter().map(part).collect::<Vec<_>>().join(" && ")
     )
 }
 
 #[tokio::test]
 async fn the_path_of_a_foreign_chart_system_is_drawn_from_its_sentences_and_no_more() {
-    let folder = folder("foreign");
-    let ecdis = Line::new(&folder.join("ecdis"));
-    let text = format!(
-        "roles = [\"autopilot\"]\nallow_output = false\n[[port]]\nname = \"ecdis\"\nkind = \"serial\"\n\
-         path = \"{}\"\nbaud = 38400\nprofile = \"ecdis\"\n",
-        ecdis.name().display()
-    );
-    let file = folder.join("wheelover.toml");
-    std::fs::write(&file, text).unwrap();
-    let program = Program::start(&["--config", &file.display().to_string()]);
+    let (program, ecdis) = Program::beside("foreign", "ecdis");
     let situation = Arc::new(AtomicU8::new(2));
     let now = situation.clone();
     let _chart = ecdis.talk(move |tick| match now.load(Ordering::Relaxed) {
@@ -127,26 +118,18 @@ async fn the_path_of_a_foreign_chart_system_is_drawn_from_its_sentences_and_no_m
     assert_eq!(browser.run(&strip("070")).await, false);
 
     situation.store(3, Ordering::Relaxed);
-    let all = [
-        "leg",
-        "arc",
-        "next-leg",
-        "radius-centre",
-        "wheel-over",
-        "corridor",
-    ];
-    browser.until("the whole turn", LONG, &drawn(&all)).await;
+    browser.until("the whole turn", LONG, &drawn(&ALL)).await;
     browser.until("the next track", LONG, &strip("070")).await;
     browser
         .until("the past line", LONG, &strip("WOL passed"))
         .await;
 
     situation.store(4, Ordering::Relaxed);
-    browser.until("the arc", LONG, &drawn(&all[1..])).await;
+    browser.until("the arc", LONG, &drawn(&ALL[1..])).await;
     // A page that comes into the turn is told of the leg by the lines before it came.
     browser.go(&format!("http://{}/", program.address)).await;
     browser
-        .until("the arc again", LONG, &drawn(&all[1..]))
+        .until("the arc again", LONG, &drawn(&ALL[1..]))
         .await;
 
     situation.store(SILENT, Ordering::Relaxed);

@@ -9,6 +9,8 @@ pub mod page;
 pub mod program;
 pub mod serial;
 
+pub use wheelover_core::nmea::with_checksum;
+
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -38,11 +40,4 @@ pub fn data(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("data")
         .join(name)
-}
-
-/// A whole sentence from its body without `$` and checksum.
-#[must_use]
-pub fn with_checksum(body: &str) -> String {
-    let sum = body.bytes().fold(0_u8, |sum, byte| sum ^ byte);
-    format!("${body}*{sum:02X}")
 }

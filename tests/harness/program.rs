@@ -1,5 +1,7 @@
 //! The real binary as a child process on a port of its own.
 
+use crate::folder;
+use crate::serial::Line;
 use std::io::{BufRead, BufReader};
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -66,7 +68,28 @@ impl Program {
         Self::start_with(arguments, &[])
     }
 
-    /// The same, with variables of its environment.
+    /// Starts an autopilot that sends nothing, with one serial port of this profile; its far end comes with it. `name` is
+    /// that of the folder.
+    ///
+    /// # Panics
+    /// It does not start within 30 s.
+    #[must_use]
+    #[allow(clippy::unwrap_used)]
+    pub fn beside(name: &str, profile: &str) -> (Self, Line) {
+        let folder = folder(name);
+        let line = Line::new(&folder.join(profile));
+        let text = format!(
+            "roles = [\"autopilot\"]\nallow_output = false\n[[port]]\nname = \"{profile}\"\nkind = \"serial\"\n\
+             path = \"{}\"\nbaud = 38400\nprofile = \"{profile}\"\n",
+            line.name().display()
+        );
+        let file = folder.join("wheelover.toml");
+        std::fs::write(&file, text).unwrap();
+        let program = Self::start(&["--config", &file.display().to_string()]);
+        (program, line)
+    }
+
+    /// As `start`, with variables of its environment.
     ///
     /// # Panics
     /// It does not start within 30 s.

@@ -158,7 +158,7 @@ impl Autopilot {
             rudder_angle: self.rudder_order().map(RudderAngle::deg),
             reference: Some(Reference::True),
             rudder_status: within(!limited),
-            off_heading_status: within(!self.off_heading()),
+            off_heading_status: within(self.off_heading().is_none()),
             heading: self.heading.map(Heading::deg),
             ..Htd::default()
         };
@@ -173,21 +173,17 @@ impl Autopilot {
         htd
     }
 
-    fn off_heading(&self) -> bool {
-        self.off_by()
-            .is_some_and(|(off, _)| off > self.settings.off_heading_limit)
-    }
-
-    /// How far off the heading to steer she is, degrees, and that heading.
-    fn off_by(&self) -> Option<(f64, Heading)> {
+    /// How far off the heading to steer she is beyond the limit, degrees, and that heading; absent within it.
+    fn off_heading(&self) -> Option<(f64, Heading)> {
         let (hts, heading) = (self.hts()?, self.heading?);
-        Some(((heading - hts).abs().deg(), hts))
+        let off = (heading - hts).abs().deg();
+        (off > self.settings.off_heading_limit).then_some((off, hts))
     }
 
     /// AP-5: the alert waits while a turn brings her nearer; one that goes round and round does not.
     pub(super) fn watch_heading(&mut self, now: Stamp) {
         let turning = matches!(&self.mode, Mode::AutonavTi(ti) if ti.path.turn.is_some());
-        let off = self.off_by().filter(|_| self.off_heading() && !turning);
+        let off = self.off_heading().filter(|_| !turning);
         let stays_off = |(off, hts): (f64, Heading)| {
             self.nearest.is_some_and(|(nearest, before)| {
                 off > nearest - NEARER_DEG && (hts - before).abs().deg() <= NEARER_DEG

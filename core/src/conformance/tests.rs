@@ -27,9 +27,7 @@ fn changed(line: &str, change: impl Fn(&mut Vec<String>)) -> String {
     let body = line.trim_start_matches('$').split('*').next().unwrap();
     let mut fields: Vec<String> = body.split(',').map(ToString::to_string).collect();
     change(&mut fields);
-    let body = fields.join(",");
-    let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
-    format!("${body}*{sum:02X}")
+    nmea::with_checksum(&fields.join(","))
 }
 
 /// Changes each line of a formatter in which the situation is `situation` (0: any); checks which rule is reported.

@@ -7,7 +7,7 @@ use super::entry::{Bytes, Entry, Timed};
 use crate::command::{Answer, Order, Origin};
 use crate::settings::Value as Setting;
 use crate::time::Stamp;
-use crate::voyage::Line;
+use crate::voyage::{Line, VoyageOutput};
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::Deserialize;
@@ -168,7 +168,7 @@ pub(super) fn beginning(first: &Value) -> Option<(Value, Option<Timed>)> {
 #[serde(rename_all = "snake_case")]
 enum Before {
     Event(Stamp, Event),
-    Output(Stamp, Output),
+    Output(Stamp, #[serde(with = "Output")] VoyageOutput),
 }
 
 #[derive(Deserialize)]
@@ -199,7 +199,7 @@ enum Event {
 }
 
 #[derive(Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(remote = "VoyageOutput", rename_all = "snake_case")]
 enum Output {
     Send { port: usize, bytes: Vec<u8> },
     Line(Line),
@@ -233,19 +233,6 @@ impl From<Event> for Entry {
             },
             Event::Stalled { ms } => Self::Stalled(ms),
             Event::Tick => Self::Tick,
-        }
-    }
-}
-
-impl From<Output> for Entry {
-    fn from(output: Output) -> Self {
-        match output {
-            Output::Send { port, bytes } => Self::Sent(port, Bytes(bytes)),
-            Output::Line(line) => Self::Line(line),
-            Output::Answer(answer) => Self::Answer(answer),
-            Output::Persist { key, value } => Self::Keep(key, value),
-            Output::Route => Self::Route,
-            Output::Settings => Self::Settings,
         }
     }
 }

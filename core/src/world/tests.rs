@@ -17,8 +17,7 @@ fn texts(out: &[Output], port: PortIndex) -> Vec<String> {
 }
 
 fn order(world: &mut World, now: u64, text: &str) {
-    let sum = text.bytes().fold(0_u8, |sum, byte| sum ^ byte);
-    let line = format!("${text}*{sum:02X}\r\n");
+    let line = format!("{}\r\n", crate::nmea::with_checksum(text));
     let port = world.port(Profile::Gear).unwrap();
     let mut out = Vec::new();
     for part in line.as_bytes().chunks(3) {

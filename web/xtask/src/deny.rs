@@ -1,4 +1,4 @@
-//! What the dependencies may be: `cargo deny` against `deny.toml`.
+//! What the dependencies may be: `cargo deny` against `deny.toml` (FE16; there is no bill of materials yet).
 
 use crate::tools::cargo_deny;
 use std::process::Command;

@@ -202,10 +202,7 @@ fn events() -> Vec<(&'static str, Event)> {
                 radius: Radius::from_nm(1.0),
             },
         ),
-        (
-            "something missing",
-            Event::TrackFail(Cause::Missing(String::new())),
-        ),
+        ("something missing", Event::TrackFail(Cause::Missing),),
         ("HTC says S", Event::TrackFail(Cause::StandAlone)),
         ("heading lost", Event::HeadingLost),
     ]

@@ -2,16 +2,15 @@
 
 use crate::path::Path;
 use crate::units::{Course, Heading, Radius, RateOfTurn};
-use alloc::string::String;
 use serde::{Deserialize, Serialize};
 
 /// Why control by the chart system ended.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(in super::super) enum Cause {
     /// A sentence is missing, late, malformed or has a wrong checksum (TCS-8).
-    Missing(String),
+    Missing,
     /// HTC says manual or rudder control (TCS-9).
-    ModeRefused(String),
+    ModeRefused,
     /// HTC says stand-alone (TCS-10).
     StandAlone,
     /// The position jumped (FA9).

@@ -45,7 +45,7 @@ fn auto(mode: Mode) -> Auto {
 }
 
 fn missing() -> Event {
-    Event::TrackFail(Cause::Missing("HTC".into()))
+    Event::TrackFail(Cause::Missing)
 }
 
 // TCS-8, FA1

@@ -344,7 +344,7 @@ impl Autopilot {
             self.name_stop(now);
         } else {
             let text = format!("HTC commands {}", mode.meaning());
-            self.track_fail(now, Cause::ModeRefused(text.clone()), &text);
+            self.track_fail(now, Cause::ModeRefused, &text);
         }
     }
 

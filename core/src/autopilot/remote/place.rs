@@ -111,7 +111,7 @@ impl Autopilot {
             return; // one of the two is wrong: the track stays where it is
         }
         self.remote.offset = Some(match self.remote.offset {
-            Some(offset) if engaged || off <= JUMPED_M => {
+            Some(offset) if off <= JUMPED_M => {
                 // A step is learned no faster than a drift.
                 let share = share * (LEARNS_M / off.max(LEARNS_M));
                 Point {

@@ -45,19 +45,11 @@ impl Autopilot {
         let refused = disagreement
             .or_else(|| self.refused_since(self.remote_heard()))
             .or_else(|| self.remote.makeshift.clone());
-        self.alerts.set(
-            now,
-            Alert::TrackDataRefused,
-            refused.is_some(),
-            &refused.unwrap_or_default(),
-        );
-        let late = self.oldest(now).age >= self.settings.track_caution;
-        let text = if late {
-            self.spoilt(now, &self.names(now, self.settings.track_caution), "late")
-        } else {
-            String::new()
-        };
-        self.alerts.set(now, Alert::TrackDataLate, late, &text);
+        self.alerts.tell(now, Alert::TrackDataRefused, refused);
+        let caution = self.settings.track_caution;
+        let late = self.oldest(now).age >= caution;
+        let late = late.then(|| self.spoilt(now, &self.names(now, caution), "late"));
+        self.alerts.tell(now, Alert::TrackDataLate, late);
         self.watch_track(now);
     }
 
@@ -78,7 +70,7 @@ impl Autopilot {
             _ if silent == "agreement" => self.disagreement(now),
             _ => self.spoilt(now, &silent, "missing"),
         };
-        self.track_fail(now, Cause::Missing(text.clone()), &text);
+        self.track_fail(now, Cause::Missing, &text);
         true
     }
 

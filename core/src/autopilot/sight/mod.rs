@@ -121,17 +121,17 @@ impl Autopilot {
             jumped = drifts;
         }
         let fallen = self.compasses.fallen_from().map(name);
-        let used = self.compasses.in_use().map(name).unwrap_or_default();
-        let text = |what: &str| format!("The heading of {what} is not used: check the compass");
-        self.alerts
-            .set(now, Alert::HeadingJump, !jumped.is_empty(), &text(&jumped));
-        self.alerts
-            .set(now, Alert::HeadingStuck, !stuck.is_empty(), &text(&stuck));
-        let left = fallen.as_ref().map_or_else(String::new, |left| {
+        let left = fallen.map(|left| {
+            let used = self.compasses.in_use().map(name).unwrap_or_default();
             format!("Heading from {used} instead of {left}")
         });
-        self.alerts
-            .set(now, Alert::HeadingSource, fallen.is_some(), &left);
+        let text = |what: String| {
+            let text = || format!("The heading of {what} is not used: check the compass");
+            (!what.is_empty()).then(text)
+        };
+        self.alerts.tell(now, Alert::HeadingJump, text(jumped));
+        self.alerts.tell(now, Alert::HeadingStuck, text(stuck));
+        self.alerts.tell(now, Alert::HeadingSource, left);
     }
 
     /// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
@@ -173,12 +173,12 @@ impl Autopilot {
             .doubted()
             .map(|source| picture.source_name(source))
             .collect();
-        let text = format!(
-            "The position of {} is not used: check the receiver",
-            doubted.join(", ")
-        );
-        self.alerts
-            .set(now, Alert::PositionJump, !doubted.is_empty(), &text);
+        let text = || {
+            let doubted = doubted.join(", ");
+            format!("The position of {doubted} is not used: check the receiver")
+        };
+        let jumped = (!doubted.is_empty()).then(text);
+        self.alerts.tell(now, Alert::PositionJump, jumped);
         let used = self.fix_in_use().map(|heard| heard.value.corrected());
         let plain = self.mode.is_autonav() && used == Some(false);
         self.alerts.set(now, Alert::NoDifferential, plain, "");
@@ -201,27 +201,30 @@ impl Autopilot {
         self.speed_guard.look(now, water, ground, minimum, free);
         let lost = self.speed_guard.measured().is_none() && !free;
         self.alerts.set(now, Alert::SpeedLost, lost, "");
-        let low = self.speed_guard.low() && !free;
-        let knots = self.speed_guard.measured().unwrap_or_default().knots();
-        let text = format!(
-            "{knots:.1} kn, the minimum is {:.1}: the ship hardly answers her rudder, the gains are the cruise speed's",
-            minimum.knots()
-        );
-        self.alerts.set(now, Alert::LowSpeed, low, &text);
+        let low = (self.speed_guard.measured()).filter(|_| self.speed_guard.low() && !free);
+        let low = low.map(|speed| {
+            format!(
+                "{:.1} kn, the minimum is {:.1}: the ship hardly answers her rudder, the gains are the cruise speed's",
+                speed.knots(),
+                minimum.knots()
+            )
+        });
+        self.alerts.tell(now, Alert::LowSpeed, low);
     }
 
     /// AP-9: a rate of turn that is calculated, though a sensor says one, is said.
     fn say_what_the_rate_does(&mut self, now: Stamp) {
         let picture = &self.post.picture;
-        let name = picture
-            .rate(now)
-            .map(|rate| picture.source_name(&rate.source));
-        let text = format!(
-            "Rate of turn of {} is not used: the heading goes another way. It is calculated",
-            name.unwrap_or_default()
-        );
-        let doubted = self.rate_guard.doubted();
-        self.alerts.set(now, Alert::RateOfTurn, doubted, &text);
+        let text = || {
+            let rate = picture.rate(now);
+            let name = rate.map(|rate| picture.source_name(&rate.source));
+            format!(
+                "Rate of turn of {} is not used: the heading goes another way. It is calculated",
+                name.unwrap_or_default()
+            )
+        };
+        let doubted = self.rate_guard.doubted().then(text);
+        self.alerts.tell(now, Alert::RateOfTurn, doubted);
     }
 
     /// AP-9: a change of source that nobody ordered is said, until the better one is back.
@@ -271,18 +274,9 @@ impl Autopilot {
             doubted.map(String::from),
         ];
         let speed: Vec<String> = speed.into_iter().flatten().collect();
-        self.alerts.set(
-            now,
-            Alert::PositionSource,
-            position.is_some(),
-            &position.unwrap_or_default(),
-        );
-        self.alerts.set(
-            now,
-            Alert::SpeedSource,
-            !speed.is_empty(),
-            &speed.join("; "),
-        );
+        let speed = (!speed.is_empty()).then(|| speed.join("; "));
+        self.alerts.tell(now, Alert::PositionSource, position);
+        self.alerts.tell(now, Alert::SpeedSource, speed);
     }
 
     /// AP-16: where the conning position is by an antenna of ours, which takes a heading; the chart system's positions are
