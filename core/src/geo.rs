@@ -2,6 +2,7 @@
 
 pub mod rhumb;
 
+use crate::units::Course;
 use core::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
@@ -40,6 +41,20 @@ const ECCENTRICITY_SQUARED: f64 = 0.006_694_379_990_141_316;
 #[must_use]
 pub fn to_millimetre(degrees: f64) -> f64 {
     libm::round(degrees * 1e8) / 1e8
+}
+
+impl Position {
+    /// Distance to a place near by, in the plane here, metres.
+    #[must_use]
+    pub fn distance(self, other: Self) -> f64 {
+        Plane::at(self).point(other).distance(Point::default())
+    }
+
+    /// The place so far north and east of this one, in the plane here.
+    #[must_use]
+    pub fn moved(self, by: Point) -> Self {
+        Plane::at(self).position(by)
+    }
 }
 
 impl Plane {
@@ -91,6 +106,14 @@ impl Point {
         crate::units::wrap_360(
             libm::atan2(other.east - self.east, other.north - self.north) * 180.0 / PI,
         )
+    }
+
+    /// How far it lies along the line that leaves `origin` on `course`, and how far off it, right of it positive, metres.
+    #[must_use]
+    pub fn off_line(self, origin: Self, course: Course) -> (f64, f64) {
+        let (sine, cosine) = (libm::sin(course.rad()), libm::cos(course.rad()));
+        let (north, east) = (self.north - origin.north, self.east - origin.east);
+        (north * cosine + east * sine, east * cosine - north * sine)
     }
 
     /// The point `metres` away in the direction `degrees` from north.

@@ -2,7 +2,7 @@
 
 use crate::reading::Reading;
 use wheelover_core::facts::Quantity;
-use wheelover_core::geo::{Plane, Point, Position};
+use wheelover_core::geo::Position;
 use wheelover_core::limits::Freshness;
 use wheelover_core::picture::{Heard, Picture};
 use wheelover_core::time::Stamp;
@@ -53,9 +53,7 @@ pub fn position(picture: &Picture, own: &Own, now: Stamp) -> Reading<Position> {
         picture.fix(now),
         now,
         |fix| fix.position,
-        |heard, own, seconds| {
-            Plane::at(*own).point(*heard).distance(Point::default()) > RUNS.0 + RUNS.1 * seconds
-        },
+        |heard, own, seconds| own.distance(*heard) > RUNS.0 + RUNS.1 * seconds,
     )
 }
 

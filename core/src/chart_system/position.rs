@@ -1,7 +1,7 @@
 //! What the chart system makes of its picture: where the ship is at the moment of sending, and how she moves (AP-9, FA9, TCS-3).
 
 use super::ChartSystem;
-use crate::geo::{Plane, Point, Position};
+use crate::geo::{Point, Position};
 use crate::limits::{Quantity, limits};
 use crate::nmea::{ModeIndicator, SteeringMode, UtcTime};
 use crate::picture::Fix;
@@ -76,7 +76,7 @@ impl ChartSystem {
         self.guard.judged = Some(at);
         if let Some((expected, age)) = self.reckoned(now)
             && age <= limits(Quantity::Position).1
-            && distance(expected, fix.position) > JUMP_M
+            && expected.distance(fix.position) > JUMP_M
         {
             self.guard.off += 1;
             if self.guard.off < JUMPS {
@@ -96,11 +96,8 @@ impl ChartSystem {
             return Some((fix.position, age));
         };
         let run = ground.speed.mps() * age as f64 / 1000.0;
-        let plane = Plane::at(fix.position);
-        Some((
-            plane.position(Point::default().towards(ground.course.deg(), run)),
-            age,
-        ))
+        let by = Point::default().towards(ground.course.deg(), run);
+        Some((fix.position.moved(by), age))
     }
 
     /// The conning position at the moment of sending; none once the last fix is older than 5 s.
@@ -121,7 +118,7 @@ impl ChartSystem {
                 let there = Point::default()
                     .towards(heading.deg(), offset_m[0])
                     .towards(heading.deg() + 90.0, offset_m[1]);
-                Plane::at(antenna).position(there)
+                antenna.moved(there)
             }
             _ => antenna,
         };
@@ -166,8 +163,4 @@ impl ChartSystem {
         let htd = self.post.fresh(heard, Quantity::Report, now)?;
         Some(htd.steering_mode)
     }
-}
-
-fn distance(a: Position, b: Position) -> f64 {
-    Plane::at(a).point(b).distance(Point::default())
 }

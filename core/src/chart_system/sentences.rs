@@ -118,8 +118,8 @@ impl ChartSystem {
             Phase::Arc(_) => Some(turn),
             Phase::Forwarding(leg) => {
                 let speed = self.ground_at(now)?.speed.mps();
-                let remaining = route.leg(leg).remaining(self.here(now)?.position).m();
-                let line = turn.tangent().m() + self.config.forwarding_tn_s * speed;
+                let remaining = route.leg(leg).remaining(self.here(now)?.position);
+                let line = turn.before(Distance::from_m(self.config.forwarding_tn_s * speed));
                 (remaining <= line).then_some(turn)
             }
             Phase::Leg(_) | Phase::Past => None,

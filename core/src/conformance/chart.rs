@@ -4,6 +4,8 @@ use super::fields;
 use super::report::{Burst, Report};
 use crate::geo::{Plane, Point, Position};
 use crate::nmea::{DataStatus, Htc, SteeringMode};
+use crate::path::Arc;
+use crate::units::{Course, Distance, Radius};
 use alloc::format;
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
@@ -133,11 +135,11 @@ impl ChartRules {
 
     /// Whether the position lies clearly before the beginning of the arc, on the leg before the turn.
     fn before_arc(&self, burst: &Burst) -> bool {
-        let (Some((_, point)), Some(track)) = (about_centre(burst), self.leg_track) else {
+        let (Some(ship), Some(track)) = (about_centre(burst), self.leg_track) else {
             return false;
         };
-        let angle = track * core::f64::consts::PI / 180.0;
-        point.north * libm::cos(angle) + point.east * libm::sin(angle) < -50.0
+        let (along, _) = ship.off_line(Point::default(), Course::from_deg(track));
+        along < -50.0
     }
 
     /// 6 where control ended with the route, until distances or control come back; else 1.
@@ -198,8 +200,15 @@ impl ChartRules {
             return;
         };
         if self.situation == Some(4) {
-            if let (Some(radius), Some((rho, _))) = (htc.radius, about_centre(burst)) {
-                let off = libm::fabs(radius - rho);
+            if let (Some(radius), Some(track), Some(ship)) =
+                (htc.radius, htc.track, about_centre(burst))
+            {
+                let arc = Arc {
+                    centre: Point::default(),
+                    radius: Radius::from_nm(radius),
+                    course_out: Course::from_deg(track),
+                };
+                let off = Distance::from_m(arc.inside(ship)).abs().nm();
                 if libm::fabs(off - libm::fabs(display)) > ARC_NM {
                     let text = format!(
                         "XTE {:.4} nm, but the ship is {off:.4} nm off the arc",
@@ -293,13 +302,12 @@ fn control(burst: &Burst) -> Option<f64> {
     burst.pney1.as_ref()?.cross_track
 }
 
-/// The ship's distance from the radius centre in nautical miles, and where she is from it.
-fn about_centre(burst: &Burst) -> Option<(f64, Point)> {
+/// Where the ship is from the radius centre.
+fn about_centre(burst: &Burst) -> Option<Point> {
     let centre: Position = burst.pney2.as_ref()?.centre?;
     let gll = burst.gll.as_ref()?;
     let position = gll
         .position
         .filter(|_| gll.status == Some(DataStatus::Valid))?;
-    let point = Plane::at(centre).point(position);
-    Some((point.distance(Point::default()) / 1852.0, point))
+    Some(Plane::at(centre).point(position))
 }

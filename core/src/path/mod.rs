@@ -1,12 +1,12 @@
 //! The one geometry of a way that is sailed: a leg, or two legs joined by an arc, in a local plane.
 //!
-//! Autopilot, page and bench lay and measure their paths here. In: courses, a centre, a radius. Out: where a point lies along
+//! Routes, autopilot, checker, page and bench lay and measure their paths here. In: courses, a centre, a radius. Out: where a point lies along
 //! the path and beside it, the point that lies there, and in `smooth` the way that a ship can sail.
 
 mod smooth;
 
 use crate::geo::Point;
-use crate::units::{Course, Distance, Radius, wrap_180};
+use crate::units::{Course, Distance, Radius, SignedAngle, wrap_180};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 use serde::{Deserialize, Serialize};
@@ -56,6 +56,14 @@ pub struct Progress {
     pub cross_track: f64,
 }
 
+impl Arc {
+    /// How far `p` lies inside the circle of the arc, metres; negative outside.
+    #[must_use]
+    pub fn inside(&self, p: Point) -> f64 {
+        self.radius.m() - self.centre.distance(p)
+    }
+}
+
 impl Path {
     /// A leg through `point`.
     #[must_use]
@@ -70,20 +78,33 @@ impl Path {
     /// A leg on `course_in`, an arc about `centre`, a leg on `course_out`. The turn takes the short way.
     #[must_use]
     pub fn turn(course_in: Course, centre: Point, radius: Radius, course_out: Course) -> Self {
-        let side = if (course_out - course_in).deg() < 0.0 {
-            -1.0
-        } else {
-            1.0
+        let arc = Arc {
+            centre,
+            radius,
+            course_out,
         };
-        let point = centre.towards(course_in.deg() - 90.0 * side, radius.m());
+        let side = side(course_out - course_in);
         Self {
             course_in,
-            point,
-            turn: Some(Arc {
-                centre,
-                radius,
-                course_out,
-            }),
+            point: centre.towards(course_in.deg() - 90.0 * side, radius.m()),
+            turn: Some(arc),
+        }
+    }
+
+    /// Two legs that meet at `corner`, and the arc of `radius` that is tangent to both; `point` is where the arc begins.
+    #[must_use]
+    pub fn corner(corner: Point, course_in: Course, radius: Radius, course_out: Course) -> Self {
+        let angle = course_out - course_in;
+        let start = corner.towards(course_in.deg() + 180.0, tangent(angle, radius).m());
+        let arc = Arc {
+            centre: start.towards(course_in.deg() + side(angle) * 90.0, radius.m()),
+            radius,
+            course_out,
+        };
+        Self {
+            course_in,
+            point: start,
+            turn: Some(arc),
         }
     }
 
@@ -158,10 +179,23 @@ impl Path {
     /// 1 where the turn goes to starboard, -1 to port, 0 for a leg alone.
     #[must_use]
     pub fn side(&self) -> f64 {
+        self.turn
+            .map_or(0.0, |turn| side(turn.course_out - self.course_in))
+    }
+
+    /// Change of course, starboard positive; none for a leg alone.
+    #[must_use]
+    pub fn angle(&self) -> SignedAngle {
+        self.leg_out().course_in - self.course_in
+    }
+
+    /// Cross-track distance of `p` to the circle of the arc, metres, right of the track positive: `s (R - rho)`; to the leg
+    /// where there is no turn.
+    #[must_use]
+    pub fn beside_arc(&self, p: Point) -> f64 {
         match self.turn {
-            Some(turn) if (turn.course_out - self.course_in).deg() < 0.0 => -1.0,
-            Some(_) => 1.0,
-            None => 0.0,
+            Some(turn) => self.side() * turn.inside(p),
+            None => self.progress(p).cross_track,
         }
     }
 
@@ -176,7 +210,7 @@ impl Path {
     /// Where `p` is along the path: on the part that is nearest.
     #[must_use]
     pub fn progress(&self, p: Point) -> Progress {
-        let (along_in, across_in) = from_line(self.point, self.course_in, p);
+        let (along_in, across_in) = p.off_line(self.point, self.course_in);
         let leg_in = Progress {
             part: Part::LegIn,
             along: along_in,
@@ -192,8 +226,8 @@ impl Path {
             .centre
             .towards(turn.course_out.deg() - 90.0 * side, radius);
         let length = self.arc_length();
-        let (before, across_in) = from_line(start, self.course_in, p);
-        let (after, across_out) = from_line(end, turn.course_out, p);
+        let (before, across_in) = p.off_line(start, self.course_in);
+        let (after, across_out) = p.off_line(end, turn.course_out);
         let bearing = turn.centre.bearing(p);
         let turned = side * wrap_180(bearing - turn.centre.bearing(start)) * PI / 180.0;
         let turned = if turned < -PI / 2.0 {
@@ -201,11 +235,10 @@ impl Path {
         } else {
             turned
         };
-        let rho = turn.centre.distance(p);
         let arc = Progress {
             part: Part::Arc,
             along: within(turned * radius, length),
-            cross_track: side * (radius - rho),
+            cross_track: side * turn.inside(p),
         };
         let mut best = arc;
         let on_arc = turned >= 0.0 && turned * radius <= length;
@@ -244,124 +277,16 @@ fn within(value: f64, most: f64) -> f64 {
     }
 }
 
-/// Distance along a line from `origin` and across it, right positive.
-fn from_line(origin: Point, course: Course, p: Point) -> (f64, f64) {
-    let (sine, cosine) = (libm::sin(course.rad()), libm::cos(course.rad()));
-    let (north, east) = (p.north - origin.north, p.east - origin.east);
-    (north * cosine + east * sine, east * cosine - north * sine)
+/// Distance from the corner of two legs to the beginning and to the end of the arc: `T = R tan(|D|/2)`.
+#[must_use]
+pub fn tangent(angle: SignedAngle, radius: Radius) -> Distance {
+    Distance::from_m(radius.m() * libm::tan(angle.abs().rad() / 2.0))
+}
+
+/// 1 for a turn to starboard, -1 to port.
+fn side(angle: SignedAngle) -> f64 {
+    if angle.deg() < 0.0 { -1.0 } else { 1.0 }
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use super::*;
-
-    pub(super) fn right_turn() -> Path {
-        let centre = Point {
-            north: 1000.0,
-            east: 500.0,
-        };
-        Path::turn(
-            Course::from_deg(0.0),
-            centre,
-            Radius::from_m(500.0),
-            Course::from_deg(90.0),
-        )
-    }
-
-    fn check(path: &Path, north: f64, east: f64, part: Part, along: f64, across: f64) {
-        let at = path.progress(Point { north, east });
-        assert_eq!(at.part, part, "{at:?}");
-        assert!(
-            (at.along - along).abs() < 0.01 && (at.cross_track - across).abs() < 0.01,
-            "{at:?}"
-        );
-    }
-
-    #[test]
-    fn progress_runs_over_leg_arc_and_leg() {
-        let path = right_turn();
-        check(&path, 400.0, 10.0, Part::LegIn, -600.0, 10.0);
-        let quarter = 500.0 * PI / 4.0;
-        let diagonal = 500.0 / 2.0_f64.sqrt();
-        check(
-            &path,
-            1000.0 + diagonal,
-            500.0 - diagonal,
-            Part::Arc,
-            quarter,
-            0.0,
-        );
-        check(
-            &path,
-            1480.0,
-            800.0,
-            Part::LegOut,
-            2.0 * quarter + 300.0,
-            20.0,
-        );
-    }
-
-    #[test]
-    fn a_port_turn_counts_right_of_the_track_as_positive_too() {
-        let centre = Point {
-            north: 1000.0,
-            east: -500.0,
-        };
-        let path = Path::turn(
-            Course::from_deg(0.0),
-            centre,
-            Radius::from_m(500.0),
-            Course::from_deg(270.0),
-        );
-        check(&path, 400.0, 10.0, Part::LegIn, -600.0, 10.0);
-        let out = 510.0 / 2.0_f64.sqrt();
-        check(
-            &path,
-            1000.0 + out,
-            -500.0 + out,
-            Part::Arc,
-            500.0 * PI / 4.0,
-            10.0,
-        );
-        check(
-            &path,
-            1480.0,
-            -800.0,
-            Part::LegOut,
-            500.0 * PI / 2.0 + 300.0,
-            -20.0,
-        );
-    }
-
-    #[test]
-    fn what_is_left_counts_down_to_the_end_of_the_arc() {
-        let path = right_turn();
-        let length = path.arc_length();
-        let check =
-            |north, east, expect: Option<f64>| match (path.left(Point { north, east }), expect) {
-                (Some(left), Some(expect)) => {
-                    assert!((left - expect).abs() < 1.0, "{left} {expect}")
-                }
-                (left, expect) => assert_eq!(left, expect),
-            };
-        check(900.0, 0.0, Some(length + 100.0));
-        check(1353.553, 146.447, Some(length / 2.0));
-        check(1510.0, 700.0, None);
-        assert_eq!(path.leg_out().left(Point::default()), None);
-    }
-
-    #[test]
-    fn a_point_along_the_path_lies_there() {
-        for path in [right_turn(), right_turn().leg_out()] {
-            for (along, starboard) in [(-300.0, 25.0), (0.0, -10.0), (200.0, 40.0), (900.0, -30.0)]
-            {
-                let progress = path.progress(path.at(along, starboard));
-                assert!((progress.along - along).abs() < 1e-6, "{progress:?}");
-                assert!((progress.cross_track - starboard).abs() < 1e-6);
-            }
-        }
-        let line = right_turn().drawn(0.0, 0.0);
-        assert!(line[0].distance(right_turn().start()) < 1e-6 && line.len() > 20);
-        assert!(line[line.len() - 1].distance(right_turn().leg_out().point) < 1e-6);
-    }
-}
+pub(crate) mod tests;

@@ -48,7 +48,7 @@ pub fn embedded_start() -> (Position, Heading) {
     let leg = route.leg(0);
     let before = route
         .turn_after(0)
-        .map_or(0.0, |turn| turn.tangent().m() + turn.forwarding().m())
+        .map_or(0.0, |turn| turn.before(turn.forwarding()).m())
         + FIRST_WHEEL_OVER_S * route.limits().speed.mps();
     let along = Distance::from_m(leg.length().m() - before);
     (leg.at(along), leg.course().as_heading())

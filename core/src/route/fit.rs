@@ -3,8 +3,8 @@
 //! A leg must hold: the end of the turn before it, the distance to settle, the time for the early indication,
 //! the forwarding distance and the beginning of the turn after it.
 
-use super::turn::tangent;
 use super::{Leg, RouteFault, RouteLimits, Turn, Waypoint};
+use crate::path::tangent;
 use crate::units::Distance;
 
 /// Each waypoint by itself.

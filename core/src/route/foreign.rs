@@ -98,7 +98,7 @@ impl Before {
             return;
         };
         if let Some(before) = self.centre
-            && Plane::at(before).point(centre).distance(Point::default()) > SAME_TURN_M
+            && before.distance(centre) > SAME_TURN_M
         {
             (self.track, self.wheel_over) = (None, None);
         }

@@ -87,12 +87,9 @@ impl Progress {
     fn next(&self, route: &Route, position: Position, forwarding: Distance) -> Option<Phase> {
         match self.phase {
             Phase::Leg(leg) => {
-                let remaining = route.leg(leg).remaining(position).m();
-                match route.turn_after(leg) {
-                    Some(turn) => (remaining <= turn.tangent().m() + forwarding.m())
-                        .then_some(Phase::Forwarding(leg)),
-                    None => (remaining <= 0.0).then_some(Phase::Past),
-                }
+                let line = self.to_wheel_over(route, position, forwarding)?;
+                let next = route.turn_after(leg);
+                (line.m() <= 0.0).then_some(next.map_or(Phase::Past, |_| Phase::Forwarding(leg)))
             }
             Phase::Forwarding(leg) => {
                 let turn = route.turn_after(leg)?;
@@ -133,7 +130,7 @@ impl Progress {
         let leg = self.leg()?;
         let before = route
             .turn_after(leg)
-            .map_or(0.0, |turn| turn.tangent().m() + forwarding.m());
+            .map_or(0.0, |turn| turn.before(forwarding).m());
         Some(Distance::from_m(
             route.leg(leg).remaining(position).m() - before,
         ))

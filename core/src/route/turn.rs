@@ -1,21 +1,21 @@
-//! A turn at a waypoint: `T = R tan(|D|/2)`, arc from A to B about C, wheel-over line F before A.
+//! A turn at a waypoint: arc from A to B about C, tangent to both legs; wheel-over line F before A. Its geometry is [`Path`]'s.
 
 use super::Leg;
 use crate::geo::{Plane, Point, Position, rhumb};
+use crate::path::{Path, tangent};
 use crate::units::{Course, Distance, Radius, SignedAngle};
 
 /// An arc that is tangent to two legs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
-    angle: SignedAngle,
+    /// Legs and arc in the plane at the centre.
+    path: Path,
+    plane: Plane,
     radius: Radius,
     tangent: Distance,
     forwarding: Distance,
     start: Position,
     end: Position,
-    centre: Position,
-    course_in: Course,
-    course_out: Course,
 }
 
 impl Turn {
@@ -28,30 +28,26 @@ impl Turn {
         radius: Radius,
         forwarding: Distance,
     ) -> Self {
-        let angle = leg_out.course() - leg_in.course();
-        let tangent = tangent(angle, radius);
-        let plane = Plane::at(leg_in.to());
+        let (course_in, course_out) = (leg_in.course(), leg_out.course());
         let corner = Point::default();
-        let start = corner.towards(leg_in.course().deg() + 180.0, tangent.m());
-        let end = corner.towards(leg_out.course().deg(), tangent.m());
-        let centre = start.towards(leg_in.course().deg() + side(angle) * 90.0, radius.m());
+        let laid = Path::corner(corner, course_in, radius, course_out);
+        let centre = laid.turn.map_or(corner, |arc| arc.centre);
+        let waypoint = Plane::at(leg_in.to());
         Self {
-            angle,
+            path: Path::turn(course_in, Point::default(), radius, course_out),
+            plane: Plane::at(waypoint.position(centre)),
             radius,
-            tangent,
+            tangent: tangent(laid.angle(), radius),
             forwarding,
-            start: plane.position(start),
-            end: plane.position(end),
-            centre: plane.position(centre),
-            course_in: leg_in.course(),
-            course_out: leg_out.course(),
+            start: waypoint.position(laid.point),
+            end: waypoint.position(laid.leg_out().point),
         }
     }
 
     /// Change of course, starboard positive.
     #[must_use]
-    pub const fn angle(&self) -> SignedAngle {
-        self.angle
+    pub fn angle(&self) -> SignedAngle {
+        self.path.angle()
     }
     /// Its radius.
     #[must_use]
@@ -68,6 +64,11 @@ impl Turn {
     pub const fn forwarding(&self) -> Distance {
         self.forwarding
     }
+    /// Distance from the waypoint back to the line that lies so far before the beginning of the arc.
+    #[must_use]
+    pub fn before(&self, forwarding: Distance) -> Distance {
+        Distance::from_m(self.tangent.m() + forwarding.m())
+    }
     /// Where the arc begins (A).
     #[must_use]
     pub const fn start(&self) -> Position {
@@ -81,56 +82,37 @@ impl Turn {
     /// Its centre (C).
     #[must_use]
     pub const fn centre(&self) -> Position {
-        self.centre
+        self.plane.origin
     }
     /// Course of the next leg.
     #[must_use]
-    pub const fn course_out(&self) -> Course {
-        self.course_out
+    pub fn course_out(&self) -> Course {
+        self.path.leg_out().course_in
     }
     /// Where the wheel-over line crosses the leg, for a forwarding distance.
     #[must_use]
     pub fn wheel_over(&self, forwarding: Distance) -> Position {
-        let back = Course::from_deg(self.course_in.deg() + 180.0);
+        let back = Course::from_deg(self.path.course_in.deg() + 180.0);
         rhumb::destination(self.start, back, forwarding)
     }
-    /// Cross-track distance of a position to the arc, right of the track positive: `s (R - rho)`.
+    /// Cross-track distance of a position to the arc, right of the track positive.
     #[must_use]
     pub fn cross_track(&self, position: Position) -> Distance {
-        let rho = Plane::at(self.centre)
-            .point(position)
-            .distance(Point::default());
-        Distance::from_m(side(self.angle) * (self.radius.m() - rho))
+        Distance::from_m(self.path.beside_arc(self.plane.point(position)))
     }
     /// Distance run on the arc abeam of a position, from its beginning; negative before it.
     #[must_use]
     pub fn along(&self, position: Position) -> Distance {
-        let centre = Plane::at(self.centre);
-        let bearing = Point::default().bearing(centre.point(position));
-        let first = self.course_in.deg() - side(self.angle) * 90.0;
-        let swept = SignedAngle::from_deg(side(self.angle) * (bearing - first));
-        Distance::from_m(swept.rad() * self.radius.m())
+        Distance::from_m(self.path.progress(self.plane.point(position)).along)
     }
     /// Length of the arc.
     #[must_use]
     pub fn length(&self) -> Distance {
-        Distance::from_m(self.angle.abs().rad() * self.radius.m())
+        Distance::from_m(self.path.arc_length())
     }
     /// The position on the arc so far from its beginning.
     #[must_use]
     pub fn at(&self, along: Distance) -> Position {
-        let swept = along.m() / self.radius.m() * 180.0 / core::f64::consts::PI;
-        let bearing = self.course_in.deg() + side(self.angle) * (swept - 90.0);
-        Plane::at(self.centre).position(Point::default().towards(bearing, self.radius.m()))
+        self.plane.position(self.path.at(along.m(), 0.0))
     }
-}
-
-/// `T = R tan(|D|/2)`.
-pub(super) fn tangent(angle: SignedAngle, radius: Radius) -> Distance {
-    Distance::from_m(radius.m() * libm::tan(angle.abs().rad() / 2.0))
-}
-
-/// +1 for a turn to starboard, -1 to port.
-fn side(angle: SignedAngle) -> f64 {
-    if angle.deg() < 0.0 { -1.0 } else { 1.0 }
 }

@@ -2,6 +2,7 @@
 
 use crate::format::fixed;
 use wheelover_core::geo::{Plane, Point, Position};
+use wheelover_core::units::Course;
 
 /// What is up on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,13 +69,10 @@ impl Frame {
     /// Where a point of the plane stands.
     #[must_use]
     pub fn point(&self, point: Point) -> (f64, f64) {
-        let (sine, cosine) = (
-            libm::sin(self.up.to_radians()),
-            libm::cos(self.up.to_radians()),
-        );
+        let (up, right) = point.off_line(Point::default(), Course::from_deg(self.up));
         (
-            self.centre.0 + self.scale * (point.east * cosine - point.north * sine),
-            self.centre.1 - self.scale * (point.north * cosine + point.east * sine),
+            self.centre.0 + self.scale * right,
+            self.centre.1 - self.scale * up,
         )
     }
 

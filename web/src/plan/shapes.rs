@@ -2,7 +2,7 @@
 
 use wheelover_core::geo::{Plane, Point};
 use wheelover_core::path::Path;
-use wheelover_core::units::{Course, Radius};
+use wheelover_core::units::{Course, Radius, SignedAngle};
 use wheelover_core::view::{RouteDocument, TurnView};
 
 /// A turn in the plane.
@@ -17,18 +17,11 @@ pub struct Turn {
 }
 
 impl Turn {
-    fn of(view: &TurnView, plane: &Plane, course_in: f64) -> Self {
-        let (centre, start) = (plane.point(view.centre), plane.point(view.start));
-        let radius = Radius::from_m(centre.distance(start));
-        let course = Course::from_deg;
+    fn of(view: &TurnView, plane: &Plane, course_in: Course, radius: Radius) -> Self {
+        let course_out = course_in + SignedAngle::from_deg(view.turn);
         Self {
             waypoint: view.waypoint,
-            path: Path::turn(
-                course(course_in),
-                centre,
-                radius,
-                course(course_in + view.turn),
-            ),
+            path: Path::turn(course_in, plane.point(view.centre), radius, course_out),
             wheel_over: plane.point(view.wheel_over),
         }
     }
@@ -66,7 +59,11 @@ impl Shape {
         let turns: Vec<Turn> = route
             .turns
             .iter()
-            .map(|view| Turn::of(view, plane, course(view.waypoint.saturating_sub(1))))
+            .filter_map(|view| {
+                let radius = Radius::from_nm(route.waypoints.get(view.waypoint)?.radius_nm?);
+                let course_in = Course::from_deg(course(view.waypoint.saturating_sub(1)));
+                Some(Turn::of(view, plane, course_in, radius))
+            })
             .collect();
         let turn_at = |waypoint: usize| turns.iter().find(|turn| turn.waypoint == waypoint);
         let mut legs = Vec::new();
