@@ -3,6 +3,7 @@
 
 use std::hint::black_box;
 use std::time::Instant;
+use wheelover_core::autopilot::gear::Gear;
 use wheelover_core::autopilot::steering::{Demand, Measured, Steering, SteeringSettings};
 use wheelover_core::geo::Point;
 use wheelover_core::path::Path;
@@ -39,6 +40,8 @@ fn main() {
         Course::from_deg(90.0),
     ));
     let mut steering = Steering::new(SteeringSettings::default());
+    let mut gear = Gear::default();
+    let limit = RudderAngle::from_deg(35.0);
     median("steering", |k| {
         let measured = Measured {
             heading: Heading::from_deg(0.1),
@@ -51,7 +54,8 @@ fn main() {
                 east: 5.0,
             }),
         };
-        black_box(steering.step(&measured, &demand, RudderAngle::from_deg(35.0), 0.1));
+        let wanted = steering.step(&measured, &demand, limit, gear.given(), 0.1);
+        black_box(gear.steer(&wanted, limit, steering.settings(), 0.1));
     });
 
     let mut hull = Hull::running(0.0, 7.7);

@@ -1,6 +1,7 @@
 //! A ship of first order, given by her constants alone or by nothing: legs and arcs stay near, and nothing swings (AP-20).
 #![allow(clippy::unwrap_used)]
 
+use wheelover_core::autopilot::gear::Gear;
 use wheelover_core::autopilot::steering::{Demand, Measured, Steering, SteeringSettings, TurnBy};
 use wheelover_core::geo::Point;
 use wheelover_core::path::Path;
@@ -75,7 +76,9 @@ fn farthest(gain: f64, time: f64, length: f64, knots: f64) -> f64 {
     let mut ship = Ship::new(gain, time, knots, 0.0);
     ship.place.east = 60.0;
     let mut steering = Steering::new(settings(Some((gain, time)), length, knots));
-    steering.engage(RudderAngle::from_deg(0.0), &ship.measured());
+    steering.engage(&ship.measured());
+    let mut gear = Gear::default();
+    gear.engage(RudderAngle::from_deg(0.0));
     let centre = Point {
         north: 4_500.0,
         east: 926.0,
@@ -88,12 +91,10 @@ fn farthest(gain: f64, time: f64, length: f64, knots: f64) -> f64 {
     );
     let (mut worst, mut last) = (0.0_f64, 0.0_f64);
     for step in 0..(8_000.0 / ship.speed * 10.0) as u32 {
-        let steered = steering.step(
-            &ship.measured(),
-            &Demand::Track(path),
-            RudderAngle::from_deg(35.0),
-            0.1,
-        );
+        let (measured, limit) = (ship.measured(), RudderAngle::from_deg(35.0));
+        let demand = Demand::Track(path);
+        let wanted = steering.step(&measured, &demand, limit, gear.given(), 0.1);
+        let steered = gear.steer(&wanted, limit, steering.settings(), 0.1);
         assert!((steered.order.deg() - last).abs() <= 0.3 + 1e-9);
         last = steered.order.deg();
         ship.step(steered.order, 0.1);
@@ -129,15 +130,18 @@ fn a_ship_of_whom_nothing_is_known_comes_to_her_heading_and_keeps_it() {
     ] {
         let mut ship = Ship::new(gain, time, knots, 0.0);
         let mut steering = Steering::new(settings(None, length, knots));
-        steering.engage(RudderAngle::from_deg(0.0), &ship.measured());
+        steering.engage(&ship.measured());
+        let mut gear = Gear::default();
+        gear.engage(RudderAngle::from_deg(0.0));
         let demand = Demand::Heading {
             set: Heading::from_deg(30.0),
             by: TurnBy::Free,
         };
         let (mut most, mut late) = (0.0_f64, 0.0_f64);
         for step in 0..9_000 {
-            let steered =
-                steering.step(&ship.measured(), &demand, RudderAngle::from_deg(20.0), 0.1);
+            let (measured, limit) = (ship.measured(), RudderAngle::from_deg(20.0));
+            let wanted = steering.step(&measured, &demand, limit, gear.given(), 0.1);
+            let steered = gear.steer(&wanted, limit, steering.settings(), 0.1);
             ship.step(steered.order, 0.1);
             most = most.max(ship.heading.to_degrees());
             if step > 6_000 {

@@ -1,9 +1,8 @@
 //! Closed loop: the steering laws on the simulated Mariner.
 #![allow(clippy::unwrap_used)]
 
-use wheelover_core::autopilot::steering::{
-    Demand, Measured, Steered, Steering, SteeringSettings, TurnBy,
-};
+use wheelover_core::autopilot::gear::{Gear, Steered};
+use wheelover_core::autopilot::steering::{Demand, Measured, Steering, SteeringSettings, TurnBy};
 use wheelover_core::geo::Point;
 use wheelover_core::path::Path;
 use wheelover_core::scenario::{BenchRun, Disturbance, Document};
@@ -17,6 +16,7 @@ struct Sea {
     hull: Hull,
     drive: Drive,
     steering: Steering,
+    gear: Gear,
     fix: Option<Point>,
     ground: Option<(Course, Speed)>,
     steps: u32,
@@ -38,6 +38,7 @@ impl Sea {
                 current_east: drift * set.sin(),
             },
             steering: Steering::new(SteeringSettings::default()),
+            gear: Gear::default(),
             fix: None,
             ground: None,
             steps: 0,
@@ -45,7 +46,8 @@ impl Sea {
             limit: LIMIT,
         };
         let measured = sea.measure();
-        sea.steering.engage(RudderAngle::from_deg(0.0), &measured);
+        sea.steering.engage(&measured);
+        sea.gear.engage(RudderAngle::from_deg(0.0));
         sea
     }
 
@@ -81,7 +83,10 @@ impl Sea {
 
     fn step_with(&mut self, measured: &Measured, demand: &Demand) -> Steered {
         let limit = RudderAngle::from_deg(self.limit);
-        let steered = self.steering.step(measured, demand, limit, 0.1);
+        let given = self.gear.given();
+        let wanted = self.steering.step(measured, demand, limit, given, 0.1);
+        let ship = self.steering.settings();
+        let steered = self.gear.steer(&wanted, limit, ship, 0.1);
         let order = steered.order.deg();
         let slew = self.steering.settings().slew * 0.1;
         assert!(
@@ -288,7 +293,8 @@ fn engaging_takes_over_the_rudder_where_it_is() {
         sea.hull.step(&sea.drive, 0.1);
     }
     let measured = sea.measure();
-    sea.steering.engage(RudderAngle::from_deg(20.0), &measured);
+    sea.steering.engage(&measured);
+    sea.gear.engage(RudderAngle::from_deg(20.0));
     sea.last_order = 20.0;
     let first = sea.step(&heading(sea.heading(), TurnBy::Free));
     assert!((first.order.deg() - 20.0).abs() < 0.5, "{first:?}");

@@ -6,6 +6,7 @@
 //! **Invariant:** orders leave only in a mode that gives them, within limit and slew, and the operator's
 //! STANDBY is always granted.
 
+pub mod gear;
 mod modes;
 mod operator;
 mod readings;
@@ -29,6 +30,7 @@ use alloc::collections::VecDeque;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
+use gear::Gear;
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Finish, Mode, ModeName, RudderHold, Standby,
     document as modes_document,
@@ -38,7 +40,7 @@ use remote::Remote;
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
 use sight::{Compasses, PositionGuard, Preferred, RateGuard, SpeedGuard};
-use steering::{Steered, Steering, SteeringSettings};
+use steering::{Steering, SteeringSettings};
 
 /// A selection of AutoNAV that waits for the chart system (AP-6).
 pub const CONFIRM_MS: u64 = 20_000;
@@ -51,13 +53,10 @@ pub struct Autopilot {
     post: Post,
     alerts: Alerts,
     settings: Settings,
-    /// The constants of the ship that was named in the configuration (AP-20).
-    named_ship: Option<SteeringSettings>,
     steering: Steering,
+    gear: Gear,
     mode: Mode,
     why: String,
-    order: RudderAngle,
-    steered: Option<Steered>,
     heading: Option<Heading>,
     rate: RateOfTurn,
     compasses: Compasses,
@@ -87,8 +86,6 @@ enum Timer {
     Stalled,
     /// Since when the ship is off the set heading (AP-5).
     OffHeading,
-    /// Since when the rudder does not follow its order (FA11).
-    RudderError,
 }
 
 impl Autopilot {
@@ -100,17 +97,14 @@ impl Autopilot {
         named_ship: Option<SteeringSettings>,
         now: Stamp,
     ) -> Self {
-        let ship = SteeringSettings::of(named_ship.as_ref(), &settings);
         Self {
-            named_ship,
+            steering: Steering::of(named_ship, &settings),
+            gear: Gear::default(),
             post: Post::new(Role::Autopilot, ports),
             alerts: Alerts::default(),
             settings,
-            steering: Steering::new(ship),
             mode: Mode::STANDBY,
             why: "start-up".into(),
-            order: RudderAngle::from_deg(0.0),
-            steered: None,
             heading: None,
             rate: RateOfTurn::from_deg_per_min(0.0),
             compasses: Compasses::default(),
@@ -204,19 +198,16 @@ impl Autopilot {
         }
         self.look(now);
         self.supervise(now);
-        let before = self.order;
-        self.steered = None;
         match (self.mode.demand(&self.facts(now)), self.measured(now)) {
             (Some(demand), Some(measured)) => {
-                let limit = self.mode.row().rudder_limit(&self.settings);
+                let limit = RudderAngle::from_deg(self.rudder_limit());
                 let dt = self.step_ms() as f64 / 1000.0;
-                let steered =
-                    self.steering
-                        .step(&measured, &demand, RudderAngle::from_deg(limit), dt);
-                self.order = steered.order;
-                self.steered = Some(steered);
+                let given = self.gear.given();
+                let wanted = self.steering.step(&measured, &demand, limit, given, dt);
+                self.gear
+                    .steer(&wanted, limit, self.steering.settings(), dt);
             }
-            _ => self.order = before, // FA7: frozen
+            _ => self.gear.freeze(), // FA7
         }
         self.watch_rudder(now);
         self.watch_heading(now);
@@ -232,13 +223,12 @@ impl Autopilot {
         // While orders are given the steering joins one law to the next by itself; else it begins anew.
         let steers = |row: &Row| row.needs(Need::Heading);
         if !steers(before) && steers(self.mode.row()) {
-            if !before.gives_orders() {
-                // The gear stands where the hand left it.
-                let response = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
-                self.order = response.unwrap_or(self.order);
-            }
+            // The gear stands where the hand left it.
+            let left = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
+            let left = left.filter(|_| !before.gives_orders());
+            self.gear.engage(left.unwrap_or(self.gear.order()));
             if let Some(measured) = self.measured(now) {
-                self.steering.engage(self.order, &measured);
+                self.steering.engage(&measured);
             }
         }
     }
@@ -249,9 +239,9 @@ impl Autopilot {
         Facts {
             now,
             heading: self.heading.or(heard).unwrap_or(Heading::from_deg(0.0)),
-            order: self.order,
+            order: self.gear.order(),
             place: self.position_guard.long_dead_reckoning(now),
-            steered: self.steered,
+            steered: self.gear.steered().copied(),
             settings: self.settings.clone(),
         }
     }

@@ -1,7 +1,6 @@
 //! What the operator asks for, and the answer (AP-6, HTC-4).
 
 use super::modes::Event;
-use super::steering::SteeringSettings;
 use super::{Autopilot, Mode, ModeName, Timer};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
@@ -72,8 +71,7 @@ impl Autopilot {
             }
             Order::Setting { key, value } => {
                 self.settings.set(key, value).map_err(Refusal::because)?;
-                let ship = SteeringSettings::of(self.named_ship.as_ref(), &self.settings);
-                self.steering.change(ship);
+                self.steering.change(&self.settings);
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal::because("not a command to the autopilot")),

@@ -1,6 +1,6 @@
 //! What can be read of the autopilot: its mode and why, what it steers, what it has heard.
 
-use super::steering::Steered;
+use super::gear::Steered;
 use super::{Autopilot, Mode};
 use crate::alerts::Alerts;
 use crate::picture::Picture;
@@ -36,7 +36,7 @@ impl Autopilot {
     /// What the steering gave in the last step; absent where no order was computed.
     #[must_use]
     pub const fn steered(&self) -> Option<&Steered> {
-        self.steered.as_ref()
+        self.gear.steered()
     }
 
     /// Its alerts.
@@ -60,7 +60,7 @@ impl Autopilot {
     /// Rudder order in force; absent where none is given.
     #[must_use]
     pub fn rudder_order(&self) -> Option<RudderAngle> {
-        self.mode.row().gives_orders().then_some(self.order)
+        self.mode.row().gives_orders().then_some(self.gear.order())
     }
 
     /// Rudder limit in force, degrees; in STANDBY the one that AUTO will have.

@@ -1,11 +1,12 @@
 //! What the autopilot says: HTD, RSA, ROR and HDT each second, ALR on change, orders to the gear.
 
+use super::gear::{self, Follows};
 use super::{Autopilot, Mode, Timer};
 use crate::alerts::{Alert, State};
 use crate::limits::Quantity;
 use crate::nmea::{
-    AcknowledgeState, AlarmCondition, Alr, CommandSource, DataStatus, Hdt, Htd, LimitStatus,
-    OverrideStatus, Reference, Ror, Rsa, TurnMode,
+    AcknowledgeState, AlarmCondition, Alr, Hdt, Htd, LimitStatus, OverrideStatus, Reference, Rsa,
+    TurnMode,
 };
 use crate::path::Part;
 use crate::station::{Output, PortIndex, Profile, Role};
@@ -19,9 +20,6 @@ use alloc::vec::Vec;
 const OFF_HEADING_MS: u64 = 60_000;
 /// A turn brings her nearer by at least so much, degrees.
 const NEARER_DEG: f64 = 1.0;
-/// Order and response may differ by so much, degrees, for so long beyond the time to go (FA11).
-const RUDDER_ERROR_DEG: f64 = 5.0;
-const RUDDER_ERROR_MS: u64 = 5_000;
 
 impl Autopilot {
     /// What is due on each port, by the table: once a second, or in a control step.
@@ -42,7 +40,7 @@ impl Autopilot {
         Some(match (row.saying, row.talker) {
             (Saying::Htd, Some(talker)) => self.htd().line(talker),
             (Saying::Rsa, Some(talker)) => self.rsa().line(talker),
-            (Saying::Ror, Some(talker)) => self.ror().line(talker),
+            (Saying::Ror, Some(talker)) => gear::ror(self.rudder_order()).line(talker),
             // AP-12: the heading goes on with its source's talker.
             (Saying::Hdt, None) => {
                 let source = &self.post.picture.heading(now)?.source;
@@ -110,41 +108,15 @@ impl Autopilot {
         }
     }
 
-    /// AP-4: one rudder; the port side is null with V.
     fn rsa(&self) -> Rsa {
         let failed = self.alerts.raised(Alert::Rudder);
         let response = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
-        Rsa {
-            starboard: response.map(RudderAngle::deg),
-            starboard_status: Some(if response.is_some() && !failed {
-                DataStatus::Valid
-            } else {
-                DataStatus::Invalid
-            }),
-            port: None,
-            port_status: Some(DataStatus::Invalid),
-        }
-    }
-
-    /// AP-1: in STANDBY there is no order.
-    fn ror(&self) -> Ror {
-        let order = self.rudder_order();
-        Ror {
-            starboard: order.map(RudderAngle::deg),
-            starboard_status: Some(if order.is_some() {
-                DataStatus::Valid
-            } else {
-                DataStatus::Invalid
-            }),
-            port: None,
-            port_status: Some(DataStatus::Invalid),
-            source: Some(CommandSource::Bridge),
-        }
+        gear::rsa(response, !failed)
     }
 
     /// The 17 fields by mode (AP-1, AP-2, AP-3, AP-5).
     fn htd(&self) -> Htd {
-        let steered = self.steered.as_ref();
+        let steered = self.gear.steered();
         let limited = steered.is_some_and(|steered| steered.limited);
         let within = |ok: bool| {
             Some(if ok {
@@ -207,30 +179,11 @@ impl Autopilot {
             .ports
             .iter()
             .any(|port| port.profile == Profile::Gear && port.output);
-        let (Some(order), true) = (self.rudder_order(), has_gear) else {
-            self.timers.stop(Timer::RudderError);
-            self.alerts.rectify(now, Alert::Rudder);
-            return;
-        };
-        let Some(response) = response else {
-            self.alerts
-                .raise(now, Alert::Rudder, "no rudder feedback: steer by hand");
-            return;
-        };
-        let difference = libm::fabs(order.deg() - response.deg());
-        if difference <= RUDDER_ERROR_DEG {
-            self.timers.stop(Timer::RudderError);
-            self.alerts.rectify(now, Alert::Rudder);
-            return;
-        }
-        let since = self.timers.begin(Timer::RudderError, now);
-        let to_go = (difference / self.settings.rudder_slew * 1000.0) as u64;
-        if now.since(since) > to_go + RUDDER_ERROR_MS {
-            self.alerts.raise(
-                now,
-                Alert::Rudder,
-                "the rudder does not follow its order: steer by hand",
-            );
+        let order = self.rudder_order().filter(|_| has_gear);
+        match (self.gear).watch(now, order, response, self.settings.rudder_slew) {
+            Follows::Yes => self.alerts.rectify(now, Alert::Rudder),
+            Follows::NotYet => {}
+            Follows::No(why) => self.alerts.raise(now, Alert::Rudder, why),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::document::{Bench, Conditions, Disturbance};
 use super::metrics::{Meter, Report};
 use super::sample::{STEP, Sample, Stage};
+use crate::autopilot::gear::Gear;
 use crate::autopilot::steering::{Demand, Measured, Steering, SteeringSettings};
 use crate::geo::Point;
 use crate::path::Path;
@@ -29,6 +30,7 @@ pub struct BenchRun<'a> {
     conditions: Conditions,
     disturbance: &'a Disturbance,
     steering: Steering,
+    gear: Gear,
     hull: Hull,
     drive: Drive,
     stage: Stage,
@@ -66,6 +68,7 @@ impl<'a> BenchRun<'a> {
             conditions,
             disturbance,
             steering: Steering::new(settings),
+            gear: Gear::default(),
             hull,
             drive,
             stage: Stage::Leg(0),
@@ -77,7 +80,8 @@ impl<'a> BenchRun<'a> {
             lost: false,
         };
         let first = run.measure();
-        run.steering.engage(RudderAngle::from_deg(0.0), &first);
+        run.steering.engage(&first);
+        run.gear.engage(RudderAngle::from_deg(0.0));
         run
     }
 
@@ -106,7 +110,10 @@ impl<'a> BenchRun<'a> {
         let place = self.place();
         let demand = Demand::Track(self.path(place, &measured));
         let limit = RudderAngle::from_deg(self.bench.rudder_limit());
-        let steered = self.steering.step(&measured, &demand, limit, STEP);
+        let given = self.gear.given();
+        let wanted = (self.steering).step(&measured, &demand, limit, given, STEP);
+        let ship = self.steering.settings();
+        let steered = self.gear.steer(&wanted, limit, ship, STEP);
         let sample = Sample {
             time: self.steps as f64 * STEP,
             north: self.hull.north,

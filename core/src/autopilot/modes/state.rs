@@ -1,7 +1,8 @@
 //! What every mode is to the autopilot: a row of the table, a demand, a report; and what it knows of the ship.
 
 use super::table::Row;
-use crate::autopilot::steering::{Demand, Steered};
+use crate::autopilot::gear::Steered;
+use crate::autopilot::steering::Demand;
 use crate::geo::Point;
 use crate::nmea::Htd;
 use crate::path::{Part, Path};

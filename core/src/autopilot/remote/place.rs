@@ -210,7 +210,8 @@ impl Autopilot {
             *point = carry(*point);
         }
         if let Some(measured) = self.measured(self.now) {
-            self.steering.engage(self.order, &measured);
+            self.gear.engage(self.gear.order());
+            self.steering.engage(&measured);
         }
     }
 }

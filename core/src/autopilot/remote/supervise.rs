@@ -213,7 +213,7 @@ impl Autopilot {
     /// MSC.74(69) A2 5.3.6: off the track by more than the corridor that HTC gives, or the setting.
     fn watch_track(&mut self, now: Stamp) {
         let limit = self.off_track_limit(now);
-        let off = (self.steered.as_ref())
+        let off = (self.gear.steered())
             .and_then(|steered| steered.cross_track)
             .map(|off| libm::fabs(off.m()));
         let Mode::AutonavTi(ti) = &mut self.mode else {

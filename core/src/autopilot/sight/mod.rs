@@ -87,6 +87,7 @@ impl Autopilot {
         if let (true, Some(before), Some(after)) = (changed, before, self.heading) {
             // AP-9: another compass is no turn of the ship.
             self.steering.another_compass(after - before);
+            self.gear.join();
         }
         self.say_what_compasses_do(now);
         if self.heading.is_none() && !self.recovers(now) && self.mode.row().needs(Need::Heading) {
@@ -311,7 +312,7 @@ impl Autopilot {
             rudder: self
                 .fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder)
                 .filter(|response| {
-                    libm::fabs(response.deg() - self.order.deg()) <= NOT_FOLLOWED_DEG
+                    libm::fabs(response.deg() - self.gear.order().deg()) <= NOT_FOLLOWED_DEG
                 }),
             water_speed: Some(self.speed()),
             ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),

@@ -9,8 +9,8 @@
 //! the third-order reference model, whose acceleration winds up where the rate is limited. The bias in
 //! `delta_ss` is learned by the integral; it is held in turns and runs back while the order is cut (3.3).
 
+use super::angle::wrap;
 use super::settings::{ShipAtSpeed, SteeringSettings};
-use super::wrap;
 use serde::{Deserialize, Serialize};
 
 /// ReferenceModel of heading (rad), rate (rad/s) and acceleration (rad/s^2).

@@ -1,50 +1,31 @@
-//! The steering laws: from what is measured and what is demanded to a rudder order, once a control step.
+//! The steering laws: from what is measured and what is demanded to the rudder that is wanted, once a control step.
 //!
 //! ```text
 //! Demand::Track -> track.rs --+                       observer.rs: heading and rate without the waves
-//!                             +-> heading.rs -> rudder.rs -> order
-//! Demand::Heading ------------+                       ground.rs: position and current
+//!                             +-> heading.rs -> the rudder that is wanted
+//! Demand::Heading ------------+                       reckoning.rs: position and current
 //! ```
-//! In: heading, rate, rudder, speeds, position. Out: the order with its terms. Absent on purpose: modes,
-//! alarms, ages (a value that is too old is absent here).
-//!
-//! **Invariant:** `|order| <= limit` and `|order - last order| <= slew dt`, whatever is demanded (FA6).
+//! In: heading, rate, rudder, speeds, position, and what the gear gave last. Out: the wanted rudder with its terms, which
+//! the gear limits. Absent on purpose: modes, alarms, ages (a value that is too old is absent here).
 
+mod angle;
 mod heading;
+mod measured;
 mod observer;
 mod reckoning;
-mod rudder;
 mod settings;
 mod ship;
 mod track;
 
+pub use measured::Measured;
 pub use settings::SteeringSettings;
 pub use ship::has_own_constants;
 
-use crate::geo::Point;
 use crate::path::Path;
-use crate::units::{
-    Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle, Speed, wrap_180,
-};
-use core::f64::consts::PI;
+use crate::settings::Settings;
+use crate::units::{Distance, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle};
+use angle::wrap;
 use serde::{Deserialize, Serialize};
-
-/// What is measured now; a value that is not known, or too old, is absent.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Measured {
-    /// True heading.
-    pub heading: Heading,
-    /// Rate of turn.
-    pub rate: RateOfTurn,
-    /// Rudder angle as fed back.
-    pub rudder: Option<RudderAngle>,
-    /// Speed through the water, ahead.
-    pub water_speed: Option<Speed>,
-    /// Course and speed over ground.
-    pub ground: Option<(Course, Speed)>,
-    /// The last fix, in the local plane. The same value again is the same fix: it is carried on here.
-    pub position: Option<Point>,
-}
 
 /// What limits the rate of a heading change.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,21 +67,30 @@ pub struct Terms {
     pub feedforward: f64,
 }
 
-/// A rudder order and why.
+/// The rudder that is wanted and why.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Steered {
-    /// The order.
-    pub order: RudderAngle,
+pub struct Wanted {
+    /// The rudder, before limit and slew.
+    pub rudder: RudderAngle,
+    /// The law is another one than before: the order is to join it without a bump (FA6).
+    pub joins: bool,
     /// The heading that is steered now.
     pub hts: Heading,
     /// The rate of turn that is steered now.
     pub rate_reference: RateOfTurn,
     /// Cross-track distance from the path, ship right of it positive.
     pub cross_track: Option<Distance>,
-    /// What the order is made of.
+    /// What it is made of.
     pub terms: Terms,
-    /// The order is at its limit.
-    pub limited: bool,
+}
+
+/// What the gear made of the rudder that was wanted last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Given {
+    /// The order in force.
+    pub order: RudderAngle,
+    /// By how much limit and slew cut what was wanted, degrees.
+    pub cut: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -116,31 +106,40 @@ const RUDDER_SHARE: f64 = 0.7;
 /// The steering: settings, and all state of the laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Steering {
+    /// The constants of the ship that was named in the configuration (AP-20).
+    named_ship: Option<SteeringSettings>,
     settings: SteeringSettings,
     observer: observer::Observer,
     ground: reckoning::Reckoning,
     reference: heading::ReferenceModel,
     regulator: heading::Regulator,
     guidance: track::Guidance,
-    rudder: rudder::Rudder,
     law: Option<Law>,
-    cut: f64,
 }
 
 impl Steering {
-    /// Steering that has not begun; the order is amidships.
+    /// Steering that has not begun.
     #[must_use]
     pub fn new(settings: SteeringSettings) -> Self {
         Self {
+            named_ship: None,
             settings,
             observer: observer::Observer::new(),
             ground: reckoning::Reckoning::default(),
             reference: heading::ReferenceModel::default(),
             regulator: heading::Regulator::default(),
             guidance: track::Guidance::default(),
-            rudder: rudder::Rudder::default(),
             law: None,
-            cut: 0.0,
+        }
+    }
+
+    /// Steering of a ship by what is set; `named_ship` is one whose constants are known by her name (AP-20).
+    #[must_use]
+    pub fn of(named_ship: Option<SteeringSettings>, settings: &Settings) -> Self {
+        let ship = SteeringSettings::of(named_ship.as_ref(), settings);
+        Self {
+            named_ship,
+            ..Self::new(ship)
         }
     }
 
@@ -151,13 +150,13 @@ impl Steering {
     }
 
     /// Other settings from the next step on.
-    pub fn change(&mut self, settings: SteeringSettings) {
-        self.settings = settings;
+    pub fn change(&mut self, settings: &Settings) {
+        self.settings = SteeringSettings::of(self.named_ship.as_ref(), settings);
     }
 
-    /// Takes over from another order (hand steering, another mode) without a bump. Estimates of heading,
-    /// position and current begin anew, since they were not kept up; what was learned of the bias stays.
-    pub fn engage(&mut self, order_now: RudderAngle, m: &Measured) {
+    /// Takes over from hand steering or another mode. Estimates of heading, position and current begin anew, since they
+    /// were not kept up; what was learned of the bias stays.
+    pub fn engage(&mut self, m: &Measured) {
         self.observer = observer::Observer::new();
         self.ground = reckoning::Reckoning::default();
         self.guidance = track::Guidance::default();
@@ -166,32 +165,30 @@ impl Steering {
             rate: m.rate.rad_per_s(),
             acceleration: 0.0,
         };
-        self.rudder.engage(order_now.deg());
         self.law = None;
-        self.cut = 0.0;
     }
 
     /// Another compass is read: its heading differs by `change` from the one before, and the ship has not turned (AP-9).
     pub fn another_compass(&mut self, change: SignedAngle) {
         self.observer.turn_frame(change.rad());
         self.reference.heading = wrap(self.reference.heading + change.rad());
-        self.rudder.join();
     }
 
-    /// One control step of `dt` seconds.
+    /// One control step of `dt` seconds; a heading change is planned within `rudder_limit`.
     pub fn step(
         &mut self,
         m: &Measured,
         demand: &Demand,
         rudder_limit: RudderAngle,
+        given: Given,
         dt: f64,
-    ) -> Steered {
+    ) -> Wanted {
         let settings = &self.settings;
         let surge = m.water_speed.unwrap_or(settings.cruise_speed).mps();
         let ship = settings.at_speed(surge);
         let rudder = m
             .rudder
-            .map_or(self.rudder.last().to_radians(), RudderAngle::rad);
+            .map_or(given.order.deg().to_radians(), RudderAngle::rad);
         let motion = self.observer.step(
             m.heading.rad(),
             m.rate.rad_per_s(),
@@ -202,10 +199,10 @@ impl Steering {
         );
         let sailing = self.ground.step(m, &motion, surge, settings, dt);
         let limit = rudder_limit.deg().min(self.settings.rudder_max.deg());
-        let mut cross_track = None;
+        let (mut cross_track, mut joins) = (None, false);
         match (demand, sailing.position) {
             (Demand::Track(path), Some(p)) => {
-                self.change_law(Law::Track);
+                joins = self.change_law(Law::Track);
                 let kin = (&sailing, motion.heading);
                 let steer = self
                     .guidance
@@ -214,7 +211,8 @@ impl Steering {
                 cross_track = Some(Distance::from_m(steer.cross_track));
             }
             (Demand::Heading { set, by }, _) => {
-                if self.change_law(Law::Heading) {
+                joins = self.change_law(Law::Heading);
+                if joins {
                     self.reference = heading::ReferenceModel {
                         heading: motion.heading,
                         rate: motion.rate,
@@ -241,15 +239,12 @@ impl Steering {
             (motion.heading, motion.rate),
             &self.reference,
             (&ship, &self.settings),
-            self.cut,
+            given.cut.to_radians(),
             dt,
         );
-        let order = self
-            .rudder
-            .step(terms.sum().to_degrees(), limit, self.settings.slew, dt);
-        self.cut = order.cut.to_radians();
-        Steered {
-            order: RudderAngle::from_deg(order.order),
+        Wanted {
+            rudder: RudderAngle::from_deg(terms.sum().to_degrees()),
+            joins,
             hts: Heading::from_rad(self.reference.heading),
             rate_reference: RateOfTurn::from_rad_per_s(self.reference.rate),
             cross_track,
@@ -259,7 +254,6 @@ impl Steering {
                 rate: terms.rate.to_degrees(),
                 feedforward: terms.feedforward.to_degrees(),
             },
-            limited: order.limited,
         }
     }
 
@@ -267,7 +261,6 @@ impl Steering {
     fn change_law(&mut self, law: Law) -> bool {
         let changed = self.law != Some(law);
         if changed {
-            self.rudder.join();
             self.law = Some(law);
             if law == Law::Track {
                 self.guidance = track::Guidance::default();
@@ -275,9 +268,4 @@ impl Steering {
         }
         changed
     }
-}
-
-/// Wraps an angle in radians into -pi to pi.
-fn wrap(angle: f64) -> f64 {
-    wrap_180(angle * 180.0 / PI) * PI / 180.0
 }

@@ -13,8 +13,8 @@
 //! the rate unbiased in tight turns. An innovation beyond 8 degrees is a jump: not used for a second, then
 //! the filter begins anew there (FA8).
 
+use super::angle::wrap;
 use super::settings::{ShipAtSpeed, SteeringSettings};
-use super::wrap;
 use serde::{Deserialize, Serialize};
 
 const GYRO_DEVIATION: f64 = 0.0020;

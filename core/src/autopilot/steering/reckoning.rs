@@ -7,7 +7,7 @@
 //! ```
 //! So the crab angle is known at once on any course. A fix more than 100 m away begins anew there.
 
-use super::Measured;
+use super::measured::Measured;
 use super::observer::Motion;
 use super::settings::SteeringSettings;
 use crate::geo::Point;

@@ -14,10 +14,10 @@
 //! A change of path fades in over 10 s, and a turn that is done keeps its window until it has passed, so
 //! that no step reaches the rudder.
 
+use super::angle::wrap;
 use super::heading::ReferenceModel;
 use super::reckoning::Sailing;
 use super::settings::{ShipAtSpeed, SteeringSettings};
-use super::wrap;
 use crate::geo::Point;
 use crate::path::Path;
 use serde::{Deserialize, Serialize};

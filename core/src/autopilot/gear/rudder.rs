@@ -1,4 +1,4 @@
-//! From the wanted rudder to the order: bumpless transfer, limit, slew.
+//! From the wanted rudder of one side to its order: bumpless transfer, limit, slew.
 //!
 //! `order = slew(clip(wanted + x))`, where `x` makes the first order after a change equal to the last one
 //! before it and then dies away, `x' = -x / 8 s` (FA6). Angles in degrees, starboard positive.
@@ -18,17 +18,8 @@ pub(super) struct Rudder {
     transfer: f64,
     /// The next wanted rudder is to be joined without a bump.
     joining: bool,
-}
-
-/// An order, and by how much the wanted rudder was cut.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Order {
-    /// Degrees.
-    pub(super) order: f64,
     /// Order without limit and slew minus order with them, degrees.
-    pub(super) cut: f64,
-    /// The order is at its limit.
-    pub(super) limited: bool,
+    cut: f64,
 }
 
 impl Rudder {
@@ -38,6 +29,7 @@ impl Rudder {
             order,
             transfer: 0.0,
             joining: true,
+            cut: 0.0,
         };
     }
 
@@ -46,11 +38,18 @@ impl Rudder {
         self.joining = true;
     }
 
-    pub(super) fn last(&self) -> f64 {
+    /// The order in force, degrees.
+    pub(super) const fn order(&self) -> f64 {
         self.order
     }
 
-    pub(super) fn step(&mut self, wanted: f64, limit: f64, slew: f64, dt: f64) -> Order {
+    /// By how much limit and slew cut what was wanted, degrees.
+    pub(super) const fn cut(&self) -> f64 {
+        self.cut
+    }
+
+    /// Goes towards what is wanted for `dt` seconds, at most `slew` degrees a second; whether the order is at its limit.
+    pub(super) fn step(&mut self, wanted: f64, limit: f64, slew: f64, dt: f64) -> bool {
         let limit = libm::fabs(limit);
         if self.joining {
             self.transfer = self.order - wanted.clamp(-limit, limit);
@@ -61,12 +60,8 @@ impl Rudder {
         let most = libm::fabs(slew) * dt;
         let move_by = (sum.clamp(-limit, limit) - self.order).clamp(-most, most);
         self.order += move_by;
-        let limited = libm::fabs(self.order) >= limit - 1e-9;
-        Order {
-            order: self.order,
-            cut: sum - self.order,
-            limited,
-        }
+        self.cut = sum - self.order;
+        libm::fabs(self.order) >= limit - 1e-9
     }
 }
 
@@ -78,11 +73,12 @@ mod tests {
     fn the_first_order_after_a_change_is_the_last_before_it() {
         let mut rudder = Rudder::default();
         rudder.engage(12.0);
-        let first = rudder.step(-20.0, 35.0, 5.0, 0.1);
-        assert!((first.order - 12.0).abs() <= 0.5, "{first:?}");
-        let mut last = first.order;
+        rudder.step(-20.0, 35.0, 5.0, 0.1);
+        assert!((rudder.order() - 12.0).abs() <= 0.5, "{rudder:?}");
+        let mut last = rudder.order();
         for _ in 0..1000 {
-            let next = rudder.step(-20.0, 35.0, 5.0, 0.1).order;
+            rudder.step(-20.0, 35.0, 5.0, 0.1);
+            let next = rudder.order();
             assert!((next - last).abs() <= 0.5 + 1e-12);
             last = next;
         }
@@ -95,7 +91,8 @@ mod tests {
         rudder.engage(30.0);
         let mut last = 30.0;
         for _ in 0..200 {
-            let next = rudder.step(40.0, 10.0, 2.3, 0.1).order;
+            rudder.step(40.0, 10.0, 2.3, 0.1);
+            let next = rudder.order();
             assert!((next - last).abs() <= 0.23 + 1e-12);
             last = next;
         }
