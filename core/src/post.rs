@@ -5,9 +5,10 @@
 
 use crate::limits::Quantity;
 use crate::nmea::{self, Ear, Frame, Sentence};
-use crate::picture::{Heard, Picture};
+use crate::picture::{Ground, Heard, Picture};
 use crate::station::{Direction, Output, PortIndex, PortSetup, Role};
 use crate::time::Stamp;
+use crate::units::{RudderAngle, Speed};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -41,11 +42,6 @@ impl Post {
         self.fresh_after = Some(now);
     }
 
-    /// When the station last stood still.
-    pub(crate) const fn stalled_at(&self) -> Option<Stamp> {
-        self.fresh_after
-    }
-
     /// A heard value that is usable and was heard since the last stall.
     pub(crate) fn fresh<T: Clone>(
         &self,
@@ -53,11 +49,16 @@ impl Post {
         quantity: Quantity,
         now: Stamp,
     ) -> Option<T> {
-        let heard = heard?;
-        if self.fresh_after.is_some_and(|after| heard.at <= after) {
-            return None;
+        self.seen(now).fresh(heard, quantity)
+    }
+
+    /// What is seen at `now`.
+    pub(crate) const fn seen(&self, now: Stamp) -> Seen<'_> {
+        Seen {
+            picture: &self.picture,
+            now,
+            fresh_after: self.fresh_after,
         }
-        heard.usable(quantity, now).cloned()
     }
 
     /// Says a sentence on a port, where the port may speak.
@@ -90,6 +91,47 @@ impl Post {
             bytes.extend_from_slice(b"\r\n");
         }
         out.push(Output::Send { port, bytes });
+    }
+}
+
+/// The picture at one time, and what of it counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen<'a> {
+    /// What was heard and said.
+    pub(crate) picture: &'a Picture,
+    /// The time.
+    pub(crate) now: Stamp,
+    fresh_after: Option<Stamp>,
+}
+
+impl Seen<'_> {
+    /// A heard value that is usable and was heard since the last stall.
+    pub(crate) fn fresh<T: Clone>(self, heard: Option<&Heard<T>>, quantity: Quantity) -> Option<T> {
+        let heard = heard?;
+        if self.fresh_after.is_some_and(|after| heard.at <= after) {
+            return None;
+        }
+        heard.usable(quantity, self.now).cloned()
+    }
+
+    /// Rudder angle as fed back.
+    pub(crate) fn rudder(self) -> Option<RudderAngle> {
+        self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder)
+    }
+
+    /// Course and speed over ground.
+    pub(crate) fn ground(self) -> Option<Ground> {
+        self.fresh(self.picture.ground(self.now), Quantity::Ground)
+    }
+
+    /// Speed through the water.
+    pub(crate) fn water_speed(self) -> Option<Speed> {
+        self.fresh(self.picture.water_speed(self.now), Quantity::WaterSpeed)
+    }
+
+    /// When the station last stood still (FA16).
+    pub(crate) const fn stalled_at(self) -> Option<Stamp> {
+        self.fresh_after
     }
 }
 

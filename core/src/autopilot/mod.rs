@@ -6,8 +6,10 @@
 //! **Invariant:** orders leave only in a mode that gives them, within limit and slew, and the operator's
 //! STANDBY is always granted.
 
+mod alerting;
 pub mod gear;
 mod modes;
+mod notices;
 mod operator;
 mod readings;
 mod remote;
@@ -16,17 +18,18 @@ mod selection;
 mod sight;
 pub mod steering;
 
-use crate::alerts::{Alert, Alerts};
+use crate::alerts::Alert;
 use crate::limits::Quantity;
 use crate::nmea::{self, Sentence};
+use crate::picture::Heard;
 use crate::post::{self, Post, Station};
 use crate::settings::Settings;
 use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
-use crate::talk::{SECOND_MS, Share, When};
+use crate::talk::{SECOND_MS, When};
 use crate::time::Stamp;
 use crate::timers::Timers;
-use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
-use alloc::collections::VecDeque;
+use crate::units::{Heading, RudderAngle};
+use alerting::Alerting;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -35,12 +38,13 @@ pub use modes::{
     Auto, AutonavTi, AutonavTn, Finish, Mode, ModeName, RudderHold, Standby,
     document as modes_document,
 };
-use modes::{Event, Facts, Need, Row};
+use modes::{Cause, Event, Facts, Need, Row};
+use notices::Notice;
 use remote::Remote;
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
-use sight::{Compasses, PositionGuard, Preferred, RateGuard, SpeedGuard};
-use steering::{Steering, SteeringSettings};
+use sight::{Sight, Sighted};
+use steering::{Measured, Steering, SteeringSettings};
 
 /// A selection of AutoNAV that waits for the chart system (AP-6).
 pub const CONFIRM_MS: u64 = 20_000;
@@ -51,27 +55,17 @@ const STALL_OVER_MS: u64 = 10_000;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Autopilot {
     post: Post,
-    alerts: Alerts,
+    sight: Sight,
+    alerts: Alerting,
     settings: Settings,
     steering: Steering,
     gear: Gear,
     mode: Mode,
     why: String,
-    heading: Option<Heading>,
-    rate: RateOfTurn,
-    compasses: Compasses,
-    /// Whether position, ground and water come from the preferred source.
-    preferred: [Preferred; 3],
-    position_guard: PositionGuard,
-    rate_guard: RateGuard,
-    speed_guard: SpeedGuard,
     remote: Remote,
     timers: Timers<Timer>,
     /// How near the heading to steer she has come since she was off it, degrees, and that heading.
     nearest: Option<(f64, Heading)>,
-    /// Alert reports that wait for their share of the line (AP-11).
-    reports: VecDeque<Alert>,
-    share: Share,
     now: Stamp,
 }
 
@@ -101,26 +95,14 @@ impl Autopilot {
             steering: Steering::of(named_ship, &settings),
             gear: Gear::default(),
             post: Post::new(Role::Autopilot, ports),
-            alerts: Alerts::default(),
+            sight: Sight::default(),
+            alerts: Alerting::new(),
             settings,
             mode: Mode::STANDBY,
             why: "start-up".into(),
-            heading: None,
-            rate: RateOfTurn::from_deg_per_min(0.0),
-            compasses: Compasses::default(),
-            preferred: Default::default(),
-            position_guard: PositionGuard::default(),
-            rate_guard: RateGuard::default(),
-            speed_guard: SpeedGuard::default(),
             remote: Remote::default(),
             nearest: None,
             timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + SECOND_MS)]),
-            reports: Alert::ALL
-                .iter()
-                .copied()
-                .filter(|alert| alert.number() < 200)
-                .collect(),
-            share: Share::default(),
             now,
         }
     }
@@ -149,20 +131,16 @@ impl Autopilot {
     fn stalled(&mut self, now: Stamp, ms: u64) {
         self.now = now;
         self.post.stalled(now);
-        self.timers.set(Timer::Step, now + self.step_ms());
+        self.timers.set(Timer::Step, now + self.settings.step_ms());
         let mut second = self.timers.at(Timer::Second).unwrap_or(now);
         while second <= now {
             second = second + SECOND_MS;
         }
         self.timers.set(Timer::Second, second);
         let text = format!("the control loop was {ms} ms late");
-        self.alerts.raise(now, Alert::Stalled, &text);
+        self.alerts.machine.raise(now, Alert::Stalled, &text);
         self.timers.set(Timer::Stalled, now);
         self.fail_if_old(now);
-    }
-
-    fn step_ms(&self) -> u64 {
-        (1000.0 / self.settings.step_hz) as u64
     }
 
     /// What time alone does next, a step before the reports; both timers always run.
@@ -176,7 +154,7 @@ impl Autopilot {
             let (timer, at) = self.due_next();
             self.now = at;
             if timer == Timer::Step {
-                self.timers.set(timer, at + self.step_ms());
+                self.timers.set(timer, at + self.settings.step_ms());
                 self.step(at, out);
             } else {
                 self.timers.set(timer, at + SECOND_MS);
@@ -194,14 +172,16 @@ impl Autopilot {
         let stalled = self.timers.at(Timer::Stalled);
         if stalled.is_some_and(|at| now.since(at) >= STALL_OVER_MS) {
             self.timers.stop(Timer::Stalled);
-            self.alerts.rectify(now, Alert::Stalled);
+            self.alerts.machine.rectify(now, Alert::Stalled);
         }
+        let unknown = Notice::when(!self.steering.settings().known, Alert::ShipUnknown);
+        self.alerts.take(now, unknown);
         self.look(now);
         self.supervise(now);
-        match (self.mode.demand(&self.facts(now)), self.measured(now)) {
+        match (self.mode.demand(&self.facts(now)), self.measured()) {
             (Some(demand), Some(measured)) => {
                 let limit = RudderAngle::from_deg(self.rudder_limit());
-                let dt = self.step_ms() as f64 / 1000.0;
+                let dt = self.settings.step_ms() as f64 / 1000.0;
                 let given = self.gear.given();
                 let wanted = self.steering.step(&measured, &demand, limit, given, dt);
                 self.gear
@@ -212,7 +192,68 @@ impl Autopilot {
         self.watch_rudder(now);
         self.watch_heading(now);
         self.report(now, When::Step, out);
-        self.report_alerts(now, out);
+        let step_ms = self.settings.step_ms();
+        self.alerts.report(now, step_ms, &mut self.post, out);
+    }
+
+    /// Looks at the sensors; what happened to them is taken in its order (AP-9, FA7 to FA9).
+    fn look(&mut self, now: Stamp) {
+        let free = !self.mode.row().gives_orders();
+        let seen = self.post.seen(now);
+        for sighted in self.sight.look(seen, &self.settings, free) {
+            match sighted {
+                Sighted::Notice(notice) => self.alerts.take(now, notice),
+                Sighted::OtherCompass(change) => {
+                    self.steering.another_compass(change);
+                    self.gear.join();
+                }
+                Sighted::Heading => {
+                    if !matches!(self.mode, Mode::RudderHold(_)) {
+                        self.alerts.machine.rectify(now, Alert::HeadingLost);
+                    }
+                }
+                Sighted::NoHeading { heard } => {
+                    if self.mode.row().needs(Need::Heading) {
+                        let why = if heard {
+                            "the heading jumped: rudder held"
+                        } else {
+                            "no heading for 2 s: rudder held"
+                        };
+                        self.alerts.machine.raise(now, Alert::HeadingLost, "");
+                        self.apply(now, &Event::HeadingLost, why);
+                    }
+                }
+                Sighted::PlaneMoved(by) => {
+                    if let Some(offset) = &mut self.remote.offset {
+                        // The chart system's places have not moved with the plane.
+                        offset.north += by.north;
+                        offset.east += by.east;
+                    }
+                }
+                Sighted::Uncorrected(plain) => {
+                    let plain = plain && self.mode.is_autonav();
+                    self.alerts
+                        .machine
+                        .set(now, Alert::NoDifferential, plain, "");
+                }
+                Sighted::PositionJumped => {
+                    if matches!(self.mode, Mode::AutonavTi(_)) {
+                        self.track_fail(now, Cause::PositionJump, "the position jumped");
+                    }
+                }
+            }
+        }
+        self.recentre();
+    }
+
+    /// A heard value that is fresh and was heard since the last stall.
+    fn fresh<T: Clone>(&self, heard: Option<&Heard<T>>, quantity: Quantity) -> Option<T> {
+        self.post.seen(self.now).fresh(heard, quantity)
+    }
+
+    fn measured(&self) -> Option<Measured> {
+        let seen = self.post.seen(self.now);
+        self.sight.measured(seen, &self.settings, self.gear.order())
     }
 
     /// Takes a transition; the order does not jump (FA6).
@@ -227,7 +268,7 @@ impl Autopilot {
             let left = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
             let left = left.filter(|_| !before.gives_orders());
             self.gear.engage(left.unwrap_or(self.gear.order()));
-            if let Some(measured) = self.measured(now) {
+            if let Some(measured) = self.measured() {
                 self.steering.engage(&measured);
             }
         }
@@ -238,18 +279,16 @@ impl Autopilot {
         let heard = self.post.picture.heading(now).map(|heard| heard.value);
         Facts {
             now,
-            heading: self.heading.or(heard).unwrap_or(Heading::from_deg(0.0)),
+            heading: self
+                .sight
+                .heading()
+                .or(heard)
+                .unwrap_or(Heading::from_deg(0.0)),
             order: self.gear.order(),
-            place: self.position_guard.long_dead_reckoning(now),
+            place: self.sight.long_place(now),
             steered: self.gear.steered().copied(),
             settings: self.settings.clone(),
         }
-    }
-
-    /// Measured speed, else the set cruise speed (FA10).
-    fn speed(&self) -> Speed {
-        let cruise = Speed::from_knots(self.settings.cruise_speed);
-        self.speed_guard.for_gains().unwrap_or(cruise)
     }
 }
 

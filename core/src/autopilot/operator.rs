@@ -30,8 +30,8 @@ impl Autopilot {
     fn carry_out(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
         match order {
             Order::Mode(ModeRequest::Standby) => {
-                self.alerts.rectify(now, Alert::HeadingLost);
-                self.alerts.rectify(now, Alert::Override);
+                self.alerts.machine.rectify(now, Alert::HeadingLost);
+                self.alerts.machine.rectify(now, Alert::Override);
                 self.apply(now, &Event::Standby, "operator selected STANDBY");
                 Ok("STANDBY".into())
             }
@@ -61,13 +61,14 @@ impl Autopilot {
             Order::Acknowledge(number) => Err(Refusal::because(format!(
                 "alert {number} waits for no acknowledgement"
             ))),
-            Order::Silence(false) => {
-                self.alerts.sound_again();
-                Ok("alerts sound again".into())
-            }
-            Order::Silence(true) => {
-                self.alerts.silence(now);
-                Ok("silenced for 30 s".into())
+            Order::Silence(silent) => {
+                self.alerts.silence(now, *silent);
+                let answer = if *silent {
+                    "silenced for 30 s"
+                } else {
+                    "alerts sound again"
+                };
+                Ok(answer.into())
             }
             Order::Setting { key, value } => {
                 self.settings.set(key, value).map_err(Refusal::because)?;
@@ -80,9 +81,9 @@ impl Autopilot {
 
     fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {
         self.can_enter(now, ModeName::Auto)?;
-        self.alerts.rectify(now, Alert::HeadingLost);
-        self.alerts.rectify(now, Alert::TrackFail);
-        self.alerts.rectify(now, Alert::Override);
+        self.alerts.machine.rectify(now, Alert::HeadingLost);
+        self.alerts.machine.rectify(now, Alert::TrackFail);
+        self.alerts.machine.rectify(now, Alert::Override);
         self.apply(now, &Event::Auto, "operator selected AUTO");
         let heading = self.hts().map_or(0.0, Heading::deg);
         Ok(format!("AUTO on {heading:05.1}"))

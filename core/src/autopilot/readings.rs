@@ -1,12 +1,18 @@
 //! What can be read of the autopilot: its mode and why, what it steers, what it has heard.
 
+use super::Timer;
 use super::gear::Steered;
+use super::sight::Refused;
 use super::{Autopilot, Mode};
-use crate::alerts::Alerts;
-use crate::picture::Picture;
+use crate::alerts::{Alert, Alerts};
+use crate::facts::Quantity;
+use crate::geo::Position;
+use crate::picture::{Picture, Source};
 use crate::settings::Settings;
 use crate::time::Stamp;
 use crate::units::{Heading, RudderAngle};
+use alloc::string::String;
+use alloc::vec::Vec;
 
 impl Autopilot {
     /// Heading to steer in force.
@@ -42,7 +48,7 @@ impl Autopilot {
     /// Its alerts.
     #[must_use]
     pub fn alerts(&self) -> &Alerts {
-        &self.alerts
+        self.alerts.standing()
     }
 
     /// Its settings.
@@ -55,6 +61,59 @@ impl Autopilot {
     #[must_use]
     pub fn mode(&self) -> &Mode {
         &self.mode
+    }
+
+    /// The heading that is believed: of the compass in use, or its prediction while that stands in; absent where none is.
+    #[must_use]
+    pub const fn believed_heading(&self) -> Option<Heading> {
+        self.sight.heading()
+    }
+
+    /// When the sources were judged last, at the control step before this: what was heard then or later waits for the next.
+    #[must_use]
+    pub fn judged_at(&self) -> Stamp {
+        let next = self.timers.at(Timer::Step).unwrap_or(self.now);
+        Stamp(next.0.saturating_sub(self.settings.step_ms()))
+    }
+
+    /// The position that is believed: of the receiver in use, carried on; absent 5 s after its last good fix.
+    #[must_use]
+    pub fn believed_position(&self, now: Stamp) -> Option<Position> {
+        self.sight.position(now)
+    }
+
+    /// The compass in use.
+    #[must_use]
+    pub const fn compass_in_use(&self) -> Option<&Source> {
+        self.sight.compass()
+    }
+
+    /// The receiver in use.
+    #[must_use]
+    pub const fn receiver_in_use(&self) -> Option<&Source> {
+        self.sight.receiver()
+    }
+
+    /// Every source that is heard and not believed (AP-9, FA8, FA9, TCS-8).
+    #[must_use]
+    pub fn refused(&self) -> Vec<Refused<'_>> {
+        let mut refused = self.sight.refused_places();
+        let commands = (self.post.picture.pney1.as_ref())
+            .filter(|_| self.alerts.raised(Alert::TrackDataRefused))
+            .map(|heard| Refused {
+                quantity: Quantity::Control,
+                source: &heard.source,
+                why: "does not fit",
+            });
+        refused.extend(commands);
+        refused.extend(self.sight.refused_motions(self.post.seen(self.now)));
+        refused
+    }
+
+    /// Name of a source as `port/talker/formatter`.
+    #[must_use]
+    pub fn source_name(&self, source: &Source) -> String {
+        self.post.picture.source_name(source)
     }
 
     /// Rudder order in force; absent where none is given.

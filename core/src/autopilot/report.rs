@@ -2,14 +2,11 @@
 
 use super::gear::{self, Follows};
 use super::{Autopilot, Mode, Timer};
-use crate::alerts::{Alert, State};
+use crate::alerts::Alert;
 use crate::limits::Quantity;
-use crate::nmea::{
-    AcknowledgeState, AlarmCondition, Alr, Hdt, Htd, LimitStatus, OverrideStatus, Reference, Rsa,
-    TurnMode,
-};
+use crate::nmea::{Hdt, Htd, LimitStatus, OverrideStatus, Reference, Rsa, TurnMode};
 use crate::path::Part;
-use crate::station::{Output, PortIndex, Profile, Role};
+use crate::station::{Output, Profile, Role};
 use crate::talk::{self, Row, Saying, When};
 use crate::time::Stamp;
 use crate::units::{Heading, RudderAngle};
@@ -44,68 +41,11 @@ impl Autopilot {
             // AP-12: the heading goes on with its source's talker.
             (Saying::Hdt, None) => {
                 let source = &self.post.picture.heading(now)?.source;
-                let heading = Some(self.heading?.deg());
+                let heading = Some(self.sight.heading()?.deg());
                 Hdt { heading }.line(&source.talker)
             }
             _ => return None,
         })
-    }
-
-    /// Reports of alerts, within their share of the line (AP-11); where they are told to several, of the slowest.
-    pub(super) fn report_alerts(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        for alert in self.alerts.take_changed() {
-            self.reports.retain(|waiting| *waiting != alert);
-            self.reports.push_front(alert);
-        }
-        let ports = self.post.ports().iter().enumerate();
-        let told: Vec<(PortIndex, u32, &Row)> = ports
-            .filter(|(_, port)| port.output)
-            .filter_map(|(index, port)| {
-                let rows = talk::told(Role::Autopilot, port.profile);
-                let row = rows.iter().find(|row| row.saying == Saying::Alr)?;
-                Some((index, port.baud, row))
-            })
-            .collect();
-        let Some(&(_, baud, row)) = told
-            .iter()
-            .min_by_key(|(_, baud, _)| talk::alert_share(*baud))
-        else {
-            self.reports.clear(); // there is nobody to tell
-            return;
-        };
-        while let Some(alert) = self.reports.front().copied() {
-            let line = self.alr(alert).line(row.talker.unwrap_or_default());
-            if !self.share.take(now, self.step_ms(), baud, &line) {
-                return;
-            }
-            self.reports.pop_front();
-            for (port, ..) in &told {
-                self.post.say(now, *port, &line, out);
-            }
-        }
-    }
-
-    fn alr(&self, alert: Alert) -> Alr {
-        let state = self.alerts.state(alert);
-        let raised = self.alerts.raised(alert);
-        let taken = matches!(
-            state,
-            State::Acknowledged | State::Transferred | State::Normal
-        );
-        Alr {
-            number: Some(u32::from(alert.number())),
-            condition: Some(if raised {
-                AlarmCondition::Raised
-            } else {
-                AlarmCondition::NotRaised
-            }),
-            acknowledged: Some(if taken {
-                AcknowledgeState::Acknowledged
-            } else {
-                AcknowledgeState::NotAcknowledged
-            }),
-            ..Alr::default()
-        }
     }
 
     fn rsa(&self) -> Rsa {
@@ -131,7 +71,7 @@ impl Autopilot {
             reference: Some(Reference::True),
             rudder_status: within(!limited),
             off_heading_status: within(self.off_heading().is_none()),
-            heading: self.heading.map(Heading::deg),
+            heading: self.sight.heading().map(Heading::deg),
             ..Htd::default()
         };
         let row = self.mode.row();
@@ -147,7 +87,7 @@ impl Autopilot {
 
     /// How far off the heading to steer she is beyond the limit, degrees, and that heading; absent within it.
     fn off_heading(&self) -> Option<(f64, Heading)> {
-        let (hts, heading) = (self.hts()?, self.heading?);
+        let (hts, heading) = (self.hts()?, self.sight.heading()?);
         let off = (heading - hts).abs().deg();
         (off > self.settings.off_heading_limit).then_some((off, hts))
     }
@@ -167,7 +107,9 @@ impl Autopilot {
         }
         let since = self.timers.begin(Timer::OffHeading, now);
         let condition = off.is_some() && now.since(since) >= OFF_HEADING_MS;
-        self.alerts.set(now, Alert::OffHeading, condition, "");
+        self.alerts
+            .machine
+            .set(now, Alert::OffHeading, condition, "");
     }
 
     /// FA11, AP-4: no feedback, or feedback that does not follow.
@@ -181,9 +123,9 @@ impl Autopilot {
             .any(|port| port.profile == Profile::Gear && port.output);
         let order = self.rudder_order().filter(|_| has_gear);
         match (self.gear).watch(now, order, response, self.settings.rudder_slew) {
-            Follows::Yes => self.alerts.rectify(now, Alert::Rudder),
+            Follows::Yes => self.alerts.machine.rectify(now, Alert::Rudder),
             Follows::NotYet => {}
-            Follows::No(why) => self.alerts.raise(now, Alert::Rudder, why),
+            Follows::No(why) => self.alerts.machine.raise(now, Alert::Rudder, why),
         }
     }
 
@@ -191,11 +133,7 @@ impl Autopilot {
     #[must_use]
     pub fn part(&self, now: Stamp) -> Option<Part> {
         match &self.mode {
-            Mode::AutonavTi(ti) => Some(
-                ti.path
-                    .progress(self.position_guard.dead_reckoning(now)?)
-                    .part,
-            ),
+            Mode::AutonavTi(ti) => Some(ti.path.progress(self.sight.place(now)?).part),
             _ => None,
         }
     }

@@ -96,7 +96,7 @@ impl Autopilot {
             return;
         };
         if let Some(event) = self.engagement(now, wanted) {
-            self.alerts.rectify(now, Alert::TrackFail);
+            self.alerts.machine.rectify(now, Alert::TrackFail);
             self.engage(now, &event, why_of(wanted));
         }
     }
@@ -111,11 +111,11 @@ impl Autopilot {
     }
 
     pub(super) fn wanted(&self, now: Stamp) -> Option<ModeName> {
-        mode_of(self.remote.command(now, self.fail_ms())?)
+        mode_of(self.remote.command(now, self.settings.track_fail_ms())?)
     }
 
     fn override_heard(&self, now: Stamp) -> bool {
-        self.remote.command(now, self.fail_ms()) == Some(Remote::Override)
+        self.remote.command(now, self.settings.track_fail_ms()) == Some(Remote::Override)
     }
 
     /// AP-7: the first thing that is missing.
@@ -133,7 +133,7 @@ impl Autopilot {
             Need::InAuto => matches!(self.mode, Mode::Auto(_)),
             Need::NoOverride => !self.override_heard(now),
             Need::LegKnown => self.commanded_radius(now).is_none(),
-            Need::Heading => self.heading.is_some(),
+            Need::Heading => self.sight.heading().is_some(),
             Need::MeasuredSpeed => {
                 let ground = self.fresh(picture.ground(now), Quantity::Ground);
                 let water = self.fresh(picture.water_speed(now), Quantity::WaterSpeed);
@@ -142,7 +142,7 @@ impl Autopilot {
             Need::Command => self.wanted(now) == Some(mode),
             Need::ShipConstants => self.steering.settings().known,
             Need::Position => {
-                self.position_guard.dead_reckoning(now).is_some()
+                self.sight.place(now).is_some()
                     && self.fresh(picture.fix(now), Quantity::Position).is_some()
             }
             Need::CrossTrack => {
@@ -170,7 +170,10 @@ impl Autopilot {
 
     /// The transition to what the chart system asks for.
     pub(super) fn engagement(&self, now: Stamp, wanted: ModeName) -> Option<Event> {
-        match (wanted, self.remote.command(now, self.fail_ms())?) {
+        match (
+            wanted,
+            self.remote.command(now, self.settings.track_fail_ms())?,
+        ) {
             (ModeName::AutonavTn, Remote::Heading { hts, track, rate }) => {
                 Some(Event::EngageTn { hts, track, rate })
             }

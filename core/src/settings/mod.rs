@@ -138,6 +138,18 @@ impl Settings {
         Ok(())
     }
 
+    /// Duration of a control step, milliseconds.
+    #[must_use]
+    pub const fn step_ms(&self) -> u64 {
+        (1000.0 / self.step_hz) as u64
+    }
+
+    /// Age in milliseconds at which what the chart system says is too old (TCS-8).
+    #[must_use]
+    pub const fn track_fail_ms(&self) -> u64 {
+        (self.track_fail * 1000.0) as u64
+    }
+
     /// What must hold between settings.
     fn agree(&self) -> Result<(), String> {
         if self.track_caution >= self.track_fail {

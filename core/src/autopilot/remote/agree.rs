@@ -50,15 +50,12 @@ impl Autopilot {
             track: commanded,
             radius,
             ..
-        }) = self.remote.command(now, self.fail_ms())
+        }) = self.remote.command(now, self.settings.track_fail_ms())
         else {
             return Ok(()); // its age is watched
         };
         self.distances_said()?;
-        let (Some(line), Some(ship)) = (
-            self.leg_line(commanded),
-            self.position_guard.dead_reckoning(now),
-        ) else {
+        let (Some(line), Some(ship)) = (self.leg_line(commanded), self.sight.place(now)) else {
             return Ok(());
         };
         self.positions_agree()?;
@@ -117,7 +114,7 @@ impl Autopilot {
         }
         self.displays_agree()?;
         // What was accepted follows slowly, so that many small steps are a large one.
-        let dt = self.step_ms() as f64 / 1000.0;
+        let dt = self.settings.step_ms() as f64 / 1000.0;
         let (degrees, metres) = (LEG_FOLLOWS.0 * dt, LEG_FOLLOWS.1 * dt);
         let course = course + SignedAngle::from_deg(turned.deg().clamp(-degrees, degrees));
         let point =
@@ -265,7 +262,7 @@ impl Autopilot {
                 radius.nm()
             ));
         }
-        let farthest = (ARC_AHEAD.0 * self.speed().mps()).max(ARC_AHEAD.1);
+        let farthest = (ARC_AHEAD.0 * self.sight.speed(&self.settings).mps()).max(ARC_AHEAD.1);
         if !(-0.7 * radius.m() - 200.0..=farthest).contains(&ahead) {
             return Err(format!(
                 "PNEY,002: the arc would begin {:.2} nm ahead of the ship",

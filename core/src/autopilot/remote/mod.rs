@@ -161,13 +161,13 @@ impl Autopilot {
             command::Remote::Override => self.override_reported(now),
             command::Remote::Stop(mode) => {
                 self.remote.proofs.clear();
-                self.alerts.rectify(now, Alert::Override);
+                self.alerts.machine.rectify(now, Alert::Override);
                 if self.mode.is_autonav() {
                     self.stopped(now, mode);
                 }
             }
             command::Remote::Heading { .. } | command::Remote::Track { .. } => {
-                self.alerts.rectify(now, Alert::Override);
+                self.alerts.machine.rectify(now, Alert::Override);
                 self.prove(now);
                 self.follow(now, command);
             }
@@ -176,7 +176,7 @@ impl Autopilot {
 
     /// FB13: the first that commands keeps the authority while it is fresh; the other is shown and never obeyed.
     fn has_another_authority(&mut self, now: Stamp, source: &Source) -> bool {
-        let fresh = self.fail_ms();
+        let fresh = self.settings.track_fail_ms();
         let Some((authority, _)) = (self.remote.authority.as_ref())
             .filter(|(authority, at)| authority != source && now.since(*at) <= fresh)
         else {
@@ -188,7 +188,7 @@ impl Autopilot {
             picture.source_name(authority),
             picture.source_name(source)
         );
-        self.alerts.raise(now, Alert::HtcConflict, &text);
+        self.alerts.machine.raise(now, Alert::HtcConflict, &text);
         self.remote.other = Some(now);
         true
     }
@@ -201,7 +201,7 @@ impl Autopilot {
                 text,
             })
         };
-        let speed = self.speed();
+        let speed = self.sight.speed(&self.settings);
         match command {
             command::Remote::Track {
                 radius: Some(radius),
@@ -278,7 +278,7 @@ impl Autopilot {
         if self.mode == Mode::STANDBY {
             return;
         }
-        self.alerts.raise(now, Alert::Override, "");
+        self.alerts.machine.raise(now, Alert::Override, "");
         self.apply(
             now,
             &Event::Override,
@@ -348,14 +348,9 @@ impl Autopilot {
         }
     }
 
-    /// Age in milliseconds at which what the chart system says is too old (TCS-8).
-    pub(super) fn fail_ms(&self) -> u64 {
-        (self.settings.track_fail * 1000.0) as u64
-    }
-
     /// The radius of a turn that is commanded.
     pub(super) fn commanded_radius(&self, now: Stamp) -> Option<Radius> {
-        match self.remote.command(now, self.fail_ms())? {
+        match self.remote.command(now, self.settings.track_fail_ms())? {
             command::Remote::Track { radius, .. } => radius,
             _ => None,
         }

@@ -28,7 +28,7 @@ impl Autopilot {
 
     /// A place of the chart system's in the own plane, moved by the difference of the two positions.
     fn own_point(&self, place: Position) -> Option<Point> {
-        let point = self.position_guard.plane()?.point(place);
+        let point = self.sight.plane()?.point(place);
         let offset = self.remote.offset.unwrap_or_default();
         Some(Point {
             north: point.north + offset.north,
@@ -52,7 +52,7 @@ impl Autopilot {
         });
         charted
             .and_then(|fix| self.own_point(fix.value.position))
-            .or_else(|| self.position_guard.dead_reckoning(self.now))
+            .or_else(|| self.sight.place(self.now))
     }
 
     /// Where the commanded leg passes: the chart system's position less its cross-track distance.
@@ -68,7 +68,7 @@ impl Autopilot {
         let Some(port) = picture.pney1.as_ref().map(|heard| heard.source.port) else {
             return;
         };
-        let Some(own) = self.position_guard.in_use() else {
+        let Some(own) = self.sight.receiver() else {
             return;
         };
         if own.port == port {
@@ -80,10 +80,7 @@ impl Autopilot {
         else {
             return;
         };
-        let (Some(plane), Some(own)) = (
-            self.position_guard.plane(),
-            self.position_guard.dead_reckoning(charted.at),
-        ) else {
+        let (Some(plane), Some(own)) = (self.sight.plane(), self.sight.place(charted.at)) else {
             return;
         };
         let chart = plane.point(charted.value.position);
@@ -145,7 +142,7 @@ impl Autopilot {
         let Mode::AutonavTi(ti) = &self.mode else {
             return;
         };
-        let (path, fail) = (ti.path, self.fail_ms() + 1_000);
+        let (path, fail) = (ti.path, self.settings.track_fail_ms() + 1_000);
         let Some(command::Remote::Track {
             track,
             radius: Some(radius),
@@ -178,8 +175,10 @@ impl Autopilot {
         }
         let seconds = (self.settings.forwarding_s)
             .unwrap_or_else(|| self.steering.settings().forwarding_time());
-        let start =
-            nearest(path, wheel_over).towards(path.course_in.deg(), seconds * self.speed().mps());
+        let start = nearest(path, wheel_over).towards(
+            path.course_in.deg(),
+            seconds * self.sight.speed(&self.settings).mps(),
+        );
         let side = libm::copysign(1.0, turned);
         let centre = start.towards(path.course_in.deg() + 90.0 * side, radius.m());
         Some(Path::turn(path.course_in, centre, radius, track))
@@ -193,10 +192,10 @@ impl Autopilot {
             Mode::AutonavTi(_) => 60_000.0,
             _ => 10_000.0,
         };
-        let Some(old) = self.position_guard.recentre(metres) else {
+        let Some(old) = self.sight.recentre(metres) else {
             return;
         };
-        let Some(new) = self.position_guard.plane().copied() else {
+        let Some(new) = self.sight.plane().copied() else {
             return;
         };
         let carry = |point: Point| new.point(old.position(point));
@@ -209,7 +208,7 @@ impl Autopilot {
         if let Some((point, _)) = &mut self.remote.wheel_over {
             *point = carry(*point);
         }
-        if let Some(measured) = self.measured(self.now) {
+        if let Some(measured) = self.measured() {
             self.gear.engage(self.gear.order());
             self.steering.engage(&measured);
         }

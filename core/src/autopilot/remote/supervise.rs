@@ -27,15 +27,15 @@ impl Autopilot {
     pub(in super::super) fn supervise(&mut self, now: Stamp) {
         self.try_engage(now);
         self.name_stop(now);
-        let quiet = self.fail_ms();
+        let quiet = self.settings.track_fail_ms();
         if self.remote.other.is_none_or(|at| now.since(at) > quiet) {
-            self.alerts.rectify(now, Alert::HtcConflict);
+            self.alerts.machine.rectify(now, Alert::HtcConflict);
         }
         self.compare_positions();
         if !self.mode.is_autonav() {
-            self.alerts.rectify(now, Alert::TrackDataLate);
-            self.alerts.rectify(now, Alert::TrackDataRefused);
-            self.alerts.rectify(now, Alert::OffTrack);
+            self.alerts.machine.rectify(now, Alert::TrackDataLate);
+            self.alerts.machine.rectify(now, Alert::TrackDataRefused);
+            self.alerts.machine.rectify(now, Alert::OffTrack);
             return;
         }
         let disagreement = self.agree(now).err();
@@ -45,11 +45,13 @@ impl Autopilot {
         let refused = disagreement
             .or_else(|| self.refused_since(self.remote_heard()))
             .or_else(|| self.remote.makeshift.clone());
-        self.alerts.tell(now, Alert::TrackDataRefused, refused);
+        self.alerts
+            .machine
+            .tell(now, Alert::TrackDataRefused, refused);
         let caution = self.settings.track_caution;
         let late = self.oldest(now).age >= caution;
         let late = late.then(|| self.spoilt(now, &self.names(now, caution), "late"));
-        self.alerts.tell(now, Alert::TrackDataLate, late);
+        self.alerts.machine.tell(now, Alert::TrackDataLate, late);
         self.watch_track(now);
     }
 
@@ -157,7 +159,7 @@ impl Autopilot {
             && pney1.is_some_and(|pney1| pney1.cross_track.is_none());
         if ended {
             self.why = "end of route".into();
-            self.alerts.retext(Alert::TrackFail, "end of route");
+            self.alerts.machine.retext(Alert::TrackFail, "end of route");
         }
         if let (Mode::Auto(auto), true) = (&mut self.mode, ended || now >= until) {
             auto.stop_cause_until = None;
@@ -172,10 +174,10 @@ impl Autopilot {
             Alert::NoDifferential,
             Alert::OffTrack,
         ] {
-            self.alerts.rectify(now, alert);
+            self.alerts.machine.rectify(now, alert);
         }
         self.lay_the_lost_turn(now);
-        self.alerts.raise(now, Alert::TrackFail, text);
+        self.alerts.machine.raise(now, Alert::TrackFail, text);
         self.remote.proofs.clear();
         self.apply(now, &Event::TrackFail(cause), text);
     }
@@ -201,7 +203,7 @@ impl Autopilot {
     /// Farther off the track is an alarm, metres: by the corridor that HTC gives, else by the setting.
     #[must_use]
     pub fn off_track_limit(&self, now: Stamp) -> f64 {
-        match self.remote.command(now, self.fail_ms()) {
+        match self.remote.command(now, self.settings.track_fail_ms()) {
             Some(crate::command::Remote::Track {
                 off_track_limit: Some(limit),
                 ..
@@ -217,14 +219,14 @@ impl Autopilot {
             .and_then(|steered| steered.cross_track)
             .map(|off| libm::fabs(off.m()));
         let Mode::AutonavTi(ti) = &mut self.mode else {
-            self.alerts.rectify(now, Alert::OffTrack);
+            self.alerts.machine.rectify(now, Alert::OffTrack);
             return;
         };
         let outside = off.is_some_and(|off| off > limit);
         ti.captured |= off.is_some_and(|off| off < 0.5 * limit);
         if !outside || !ti.captured {
             ti.off_track_since = None;
-            self.alerts.rectify(now, Alert::OffTrack);
+            self.alerts.machine.rectify(now, Alert::OffTrack);
             return;
         }
         let since = *ti.off_track_since.get_or_insert(now);
@@ -233,7 +235,7 @@ impl Autopilot {
                 "{:.0} m off the track, the limit is {limit:.0} m: check track and speed",
                 off.unwrap_or_default()
             );
-            self.alerts.raise(now, Alert::OffTrack, &text);
+            self.alerts.machine.raise(now, Alert::OffTrack, &text);
         }
     }
 }

@@ -1,4 +1,7 @@
 //! What the sensors say, judged: heading, rate of turn, position, speeds (AP-9, FA7 to FA10).
+//!
+//! In: the picture and what is set. Out: heading, rate, place and speed that are believed, and what happened to them. Each
+//! source is guarded by itself before one is chosen.
 
 mod belief;
 mod compass;
@@ -8,58 +11,96 @@ mod rate;
 mod source;
 mod speed;
 
-use super::modes::{Cause, Event, Need};
+use super::notices::Notice;
 use super::steering::Measured;
-use super::{Autopilot, Mode};
 use crate::alerts::Alert;
 use crate::geo::{Plane, Point, Position};
 use crate::limits::{Quantity, limits};
 use crate::picture::{Fix, Heard, Source};
+use crate::post::Seen;
+use crate::settings::Settings;
 use crate::station::Profile;
 use crate::time::Stamp;
-use crate::units::Speed;
+use crate::units::{Heading, RateOfTurn, RudderAngle, SignedAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
-pub use belief::Refused;
-pub(super) use compass::Compasses;
-use compass::{Doubt, Reading, Turning};
-pub(super) use position::PositionGuard;
-use position::Said;
-pub(super) use rate::RateGuard;
-pub(super) use source::Preferred;
-use speed::Measure;
-pub(super) use speed::SpeedGuard;
+use compass::{Compasses, Doubt, Reading, Turning};
+use position::{PositionGuard, Said};
+use rate::RateGuard;
+use serde::{Deserialize, Serialize};
+use source::Preferred;
+pub use source::Refused;
+use speed::{Measure, SpeedGuard};
 
 /// A rudder response that is off its order by more is no measure of the rudder that acts: the gear does not follow, or its
-/// feedback lies, and `watch_rudder` says so (FA11).
+/// feedback lies, and the gear says so (FA11).
 const NOT_FOLLOWED_DEG: f64 = 10.0;
 /// Below this speed a course over ground says nothing of the heading, knots.
 const STEERING_KNOTS: f64 = 3.0;
 
-impl Autopilot {
-    /// A heard value that is fresh and was heard since the last stall.
-    pub(super) fn fresh<T: Clone>(
-        &self,
-        heard: Option<&Heard<T>>,
-        quantity: Quantity,
-    ) -> Option<T> {
-        self.post.fresh(heard, quantity, self.now)
+/// What is believed of the ship, and how each of its sources is judged.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Sight {
+    heading: Option<Heading>,
+    rate: RateOfTurn,
+    compasses: Compasses,
+    /// Whether position, ground and water come from the preferred source.
+    preferred: [Preferred; 3],
+    positions: PositionGuard,
+    rates: RateGuard,
+    speeds: SpeedGuard,
+}
+
+/// What happened as the sensors were looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Sighted {
+    /// What is said of an alert.
+    Notice(Notice),
+    /// Another compass is in use; its heading differs by so much, and the ship has not turned (AP-9).
+    OtherCompass(SignedAngle),
+    /// There is a heading.
+    Heading,
+    /// There is none (FA7); one was heard that is not believed, or nothing.
+    NoHeading { heard: bool },
+    /// Another receiver is in use, and the plane has moved with it, metres (AP-9).
+    PlaneMoved(Point),
+    /// Whether the position is without differential correction (AP-7).
+    Uncorrected(bool),
+    /// The position in use jumped (FA9).
+    PositionJumped,
+}
+
+impl Sight {
+    /// Judges what is heard, once a step. `free`: nothing is steered, so the best source is taken at once.
+    pub(super) fn look(&mut self, seen: Seen<'_>, settings: &Settings, free: bool) -> Vec<Sighted> {
+        let mut sighted = Vec::with_capacity(12);
+        self.look_at_headings(seen, settings, free, &mut sighted);
+        self.look_at_positions(seen, settings, free, &mut sighted);
+        self.watch_sources(seen, free, &mut sighted);
+        self.look_at_speeds(seen, settings, free, &mut sighted);
+        sighted
     }
 
-    /// Heading and rate of turn of this step (AP-9, FA7, FA8).
-    pub(super) fn look(&mut self, now: Stamp) {
-        let picture = &self.post.picture;
-        let rate = self.fresh(picture.rate(now), Quantity::RateOfTurn);
-        let ground = self.fresh(picture.ground(now), Quantity::Ground);
-        let believed = !self.rate_guard.doubted();
+    /// Heading and rate of turn (AP-9, FA7, FA8).
+    fn look_at_headings(
+        &mut self,
+        seen: Seen<'_>,
+        settings: &Settings,
+        free: bool,
+        sighted: &mut Vec<Sighted>,
+    ) {
+        let (now, picture) = (seen.now, seen.picture);
+        let rate = seen.fresh(picture.rate(now), Quantity::RateOfTurn);
+        let ground = seen.ground();
+        let believed = !self.rates.doubted();
         let turning = Turning {
             rate: rate.filter(|_| believed).unwrap_or(self.rate),
             measured: rate.is_some() && believed,
             course: ground
                 .filter(|ground| ground.speed.knots() > STEERING_KNOTS)
                 .and_then(|ground| ground.course),
-            dt: self.step_ms() as f64 / 1000.0,
+            dt: settings.step_ms() as f64 / 1000.0,
         };
         let readings: Vec<_> = picture
             .headings
@@ -68,47 +109,32 @@ impl Autopilot {
                 Some(Reading {
                     source: &heard.source,
                     rank: picture.rank(&heard.source),
-                    said: self.fresh(Some(heard), Quantity::Heading)?,
+                    said: seen.fresh(Some(heard), Quantity::Heading)?,
                     age: now.since(heard.at) as f64 / 1000.0,
                 })
             })
             .collect();
-        let heard = !readings.is_empty();
         let (before, source) = (self.heading, self.compasses.in_use().cloned());
-        let free = !self.mode.row().gives_orders();
-        let jump = self.settings.heading_jump;
+        let jump = settings.heading_jump;
         self.heading = self.compasses.look(now, &readings, turning, jump, free);
         let changed = source.is_some() && self.compasses.in_use() != source.as_ref();
         let change = before.zip(self.heading).filter(|_| !changed);
-        self.rate = self
-            .rate_guard
-            .judge(now, rate, change, self.rate, turning.dt);
-        self.say_what_the_rate_does(now);
+        self.rate = self.rates.judge(now, rate, change, self.rate, turning.dt);
+        sighted.push(Sighted::Notice(self.what_the_rate_does(seen)));
         if let (true, Some(before), Some(after)) = (changed, before, self.heading) {
-            // AP-9: another compass is no turn of the ship.
-            self.steering.another_compass(after - before);
-            self.gear.join();
+            sighted.push(Sighted::OtherCompass(after - before));
         }
-        self.say_what_compasses_do(now);
-        if self.heading.is_none() && !self.recovers(now) && self.mode.row().needs(Need::Heading) {
-            let why = if heard {
-                "the heading jumped"
-            } else {
-                "no heading for 2 s"
-            };
-            self.alerts.raise(now, Alert::HeadingLost, "");
-            self.apply(now, &Event::HeadingLost, &format!("{why}: rudder held"));
+        sighted.extend(self.what_compasses_do(seen).map(Sighted::Notice));
+        let heard = !readings.is_empty();
+        if self.heading.is_some() {
+            sighted.push(Sighted::Heading);
+        } else if !recovers(seen) {
+            sighted.push(Sighted::NoHeading { heard });
         }
-        if self.heading.is_some() && !matches!(self.mode, Mode::RudderHold(_)) {
-            self.alerts.rectify(now, Alert::HeadingLost);
-        }
-        let unknown = !self.steering.settings().known;
-        self.alerts.set(now, Alert::ShipUnknown, unknown, "");
-        self.read_position(now);
     }
 
-    fn say_what_compasses_do(&mut self, now: Stamp) {
-        let name = |source: &Source| self.post.picture.source_name(source);
+    fn what_compasses_do(&self, seen: Seen<'_>) -> [Notice; 3] {
+        let name = |source: &Source| seen.picture.source_name(source);
         let list = |doubt: Doubt| {
             let doubted = self.compasses.doubted().filter(|(_, why)| *why == doubt);
             doubted
@@ -130,24 +156,25 @@ impl Autopilot {
             let text = || format!("The heading of {what} is not used: check the compass");
             (!what.is_empty()).then(text)
         };
-        self.alerts.tell(now, Alert::HeadingJump, text(jumped));
-        self.alerts.tell(now, Alert::HeadingStuck, text(stuck));
-        self.alerts.tell(now, Alert::HeadingSource, left);
+        [
+            Notice::of(Alert::HeadingJump, text(jumped)),
+            Notice::of(Alert::HeadingStuck, text(stuck)),
+            Notice::of(Alert::HeadingSource, left),
+        ]
     }
 
-    /// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
-    fn recovers(&self, now: Stamp) -> bool {
-        let (_, lost) = limits(Quantity::Heading);
-        self.post
-            .stalled_at()
-            .is_some_and(|after| now.since(after) <= lost)
-    }
-
-    pub(super) fn read_position(&mut self, now: Stamp) {
-        if let Some(ground) = self.fresh(self.post.picture.ground(now), Quantity::Ground) {
-            self.position_guard.ground(ground.course, ground.speed);
+    /// The believed place (AP-9, AP-16, FA9).
+    fn look_at_positions(
+        &mut self,
+        seen: Seen<'_>,
+        settings: &Settings,
+        free: bool,
+        sighted: &mut Vec<Sighted>,
+    ) {
+        let (now, picture) = (seen.now, seen.picture);
+        if let Some(ground) = seen.ground() {
+            self.positions.ground(ground.course, ground.speed);
         }
-        let picture = &self.post.picture;
         let usable = picture
             .fixes
             .iter()
@@ -157,20 +184,16 @@ impl Autopilot {
                 Some(Said {
                     source: &heard.source,
                     rank: picture.rank(&heard.source),
-                    position: self.at_conning_position(heard)?,
+                    position: self.at_conning_position(seen, settings, heard)?,
                     at: heard.at,
                 })
             })
             .collect();
-        let (step, free) = (self.settings.position_jump, !self.mode.row().gives_orders());
-        let judged = self.position_guard.judge(now, &said, step, free);
-        if let (Some(by), Some(offset)) = (judged.moved, &mut self.remote.offset) {
-            // The chart system's places have not moved with the plane.
-            offset.north += by.north;
-            offset.east += by.east;
-        }
+        let step = settings.position_jump;
+        let judged = self.positions.judge(now, &said, step, free);
+        sighted.extend(judged.moved.map(Sighted::PlaneMoved));
         let doubted: Vec<_> = self
-            .position_guard
+            .positions
             .doubted()
             .map(|source| picture.source_name(source))
             .collect();
@@ -179,30 +202,30 @@ impl Autopilot {
             format!("The position of {doubted} is not used: check the receiver")
         };
         let jumped = (!doubted.is_empty()).then(text);
-        self.alerts.tell(now, Alert::PositionJump, jumped);
-        let used = self.fix_in_use().map(|heard| heard.value.corrected());
-        let plain = self.mode.is_autonav() && used == Some(false);
-        self.alerts.set(now, Alert::NoDifferential, plain, "");
-        if judged.jumped && matches!(self.mode, Mode::AutonavTi(_)) {
-            self.track_fail(now, Cause::PositionJump, "the position jumped");
+        let said = Notice::of(Alert::PositionJump, jumped);
+        sighted.push(Sighted::Notice(said));
+        let used = self.fix_in_use(seen);
+        let corrected = used.is_none_or(|heard| heard.value.corrected());
+        sighted.push(Sighted::Uncorrected(!corrected));
+        if judged.jumped {
+            sighted.push(Sighted::PositionJumped);
         }
-        self.recentre();
-        self.watch_sources(now);
-        self.look_at_speeds(now);
     }
 
     /// FA10: the speed that is believed, and what is said where it is none or too low.
-    fn look_at_speeds(&mut self, now: Stamp) {
-        let picture = &self.post.picture;
-        let water = self.fresh(picture.water_speed(now), Quantity::WaterSpeed);
-        let ground = self.fresh(picture.ground(now), Quantity::Ground);
-        let minimum = Speed::from_knots(self.settings.minimum_speed);
-        let free = !self.mode.row().gives_orders();
-        let ground = ground.map(|ground| ground.speed);
-        self.speed_guard.look(now, water, ground, minimum, free);
-        let lost = self.speed_guard.measured().is_none() && !free;
-        self.alerts.set(now, Alert::SpeedLost, lost, "");
-        let low = (self.speed_guard.measured()).filter(|_| self.speed_guard.low() && !free);
+    fn look_at_speeds(
+        &mut self,
+        seen: Seen<'_>,
+        settings: &Settings,
+        free: bool,
+        sighted: &mut Vec<Sighted>,
+    ) {
+        let water = seen.water_speed();
+        let ground = seen.ground().map(|ground| ground.speed);
+        let minimum = Speed::from_knots(settings.minimum_speed);
+        self.speeds.look(seen.now, water, ground, minimum, free);
+        let lost = self.speeds.measured().is_none() && !free;
+        let low = (self.speeds.measured()).filter(|_| self.speeds.low() && !free);
         let low = low.map(|speed| {
             format!(
                 "{:.1} kn, the minimum is {:.1}: the ship hardly answers her rudder, the gains are the cruise speed's",
@@ -210,31 +233,33 @@ impl Autopilot {
                 minimum.knots()
             )
         });
-        self.alerts.tell(now, Alert::LowSpeed, low);
+        let said = [
+            Notice::when(lost, Alert::SpeedLost),
+            Notice::of(Alert::LowSpeed, low),
+        ];
+        sighted.extend(said.map(Sighted::Notice));
     }
 
     /// AP-9: a rate of turn that is calculated, though a sensor says one, is said.
-    fn say_what_the_rate_does(&mut self, now: Stamp) {
-        let picture = &self.post.picture;
+    fn what_the_rate_does(&self, seen: Seen<'_>) -> Notice {
         let text = || {
-            let rate = picture.rate(now);
-            let name = rate.map(|rate| picture.source_name(&rate.source));
+            let rate = seen.picture.rate(seen.now);
+            let name = rate.map(|rate| seen.picture.source_name(&rate.source));
             format!(
                 "Rate of turn of {} is not used: the heading goes another way. It is calculated",
                 name.unwrap_or_default()
             )
         };
-        let doubted = self.rate_guard.doubted().then(text);
-        self.alerts.tell(now, Alert::RateOfTurn, doubted);
+        Notice::of(Alert::RateOfTurn, self.rates.doubted().then(text))
     }
 
     /// AP-9: a change of source that nobody ordered is said, until the better one is back.
-    fn watch_sources(&mut self, now: Stamp) {
-        let picture = &self.post.picture;
+    fn watch_sources(&mut self, seen: Seen<'_>, free: bool, sighted: &mut Vec<Sighted>) {
+        let (now, picture) = (seen.now, seen.picture);
         let of =
             |heard: Option<&Source>| heard.map(|source| (source.clone(), picture.rank(source)));
         let position = self
-            .fix_in_use()
+            .fix_in_use(seen)
             .filter(|h| h.usable(Quantity::Position, now).is_some());
         let ground = picture
             .ground(now)
@@ -247,7 +272,6 @@ impl Autopilot {
             of(ground.map(|heard| &heard.source)),
             of(water.map(|heard| &heard.source)),
         ];
-        let free = !self.mode.row().gives_orders();
         for (index, used) in now_used.into_iter().enumerate() {
             self.preferred[index].watch(now, used, free);
         }
@@ -260,7 +284,7 @@ impl Autopilot {
             ))
         };
         let position = say(0, "Position");
-        let doubted = match self.speed_guard.doubted() {
+        let doubted = match self.speeds.doubted() {
             Some(Measure::Water) => {
                 Some("The log is not used: its speed is far off the speed over ground")
             }
@@ -276,17 +300,24 @@ impl Autopilot {
         ];
         let speed: Vec<String> = speed.into_iter().flatten().collect();
         let speed = (!speed.is_empty()).then(|| speed.join("; "));
-        self.alerts.tell(now, Alert::PositionSource, position);
-        self.alerts.tell(now, Alert::SpeedSource, speed);
+        let said = [
+            Notice::of(Alert::PositionSource, position),
+            Notice::of(Alert::SpeedSource, speed),
+        ];
+        sighted.extend(said.map(Sighted::Notice));
     }
 
     /// AP-16: where the conning position is by an antenna of ours, which takes a heading; the chart system's positions are
     /// of it already.
-    fn at_conning_position(&self, heard: &Heard<Fix>) -> Option<Position> {
-        let settings = &self.settings;
+    fn at_conning_position(
+        &self,
+        seen: Seen<'_>,
+        settings: &Settings,
+        heard: &Heard<Fix>,
+    ) -> Option<Position> {
         let forward = settings.conning_forward_m - settings.antenna_forward_m;
         let starboard = settings.conning_starboard_m - settings.antenna_starboard_m;
-        let ours = self.post.ports()[heard.source.port].profile != Profile::Ecdis;
+        let ours = seen.picture.ports[heard.source.port].profile != Profile::Ecdis;
         if !ours || (forward, starboard) == (0.0, 0.0) {
             return Some(heard.value.position);
         }
@@ -298,25 +329,67 @@ impl Autopilot {
     }
 
     /// What the receiver in use said last.
-    pub(super) fn fix_in_use(&self) -> Option<&Heard<Fix>> {
-        let used = self.position_guard.in_use()?;
-        let fixes = &self.post.picture.fixes;
+    fn fix_in_use<'a>(&self, seen: Seen<'a>) -> Option<&'a Heard<Fix>> {
+        let used = self.positions.in_use()?;
+        let fixes = &seen.picture.fixes;
         fixes.iter().find(|heard| heard.source == *used)
     }
 
-    pub(super) fn measured(&self, now: Stamp) -> Option<Measured> {
-        let ground = self.fresh(self.post.picture.ground(now), Quantity::Ground);
+    /// Heading that is believed: of the compass in use, or its prediction while that stands in; absent where none is.
+    pub(super) const fn heading(&self) -> Option<Heading> {
+        self.heading
+    }
+
+    /// Where the ship is: carried on from the last good fix, for at most 5 s.
+    pub(super) fn place(&self, now: Stamp) -> Option<Point> {
+        self.positions.dead_reckoning(now)
+    }
+
+    /// The same for as long as a lost turn needs it (TCS-8).
+    pub(super) fn long_place(&self, now: Stamp) -> Option<Point> {
+        self.positions.long_dead_reckoning(now)
+    }
+
+    /// The plane in which places are given.
+    pub(super) fn plane(&self) -> Option<&Plane> {
+        self.positions.plane()
+    }
+
+    /// Lays the plane anew where the ship is, once she is `metres` from where it touches; the plane before.
+    pub(super) fn recentre(&mut self, metres: f64) -> Option<Plane> {
+        self.positions.recentre(metres)
+    }
+
+    /// Measured speed, else the set cruise speed (FA10).
+    pub(super) fn speed(&self, settings: &Settings) -> Speed {
+        let cruise = Speed::from_knots(settings.cruise_speed);
+        self.speeds.for_gains().unwrap_or(cruise)
+    }
+
+    /// What the laws are told; absent without a heading. `order` is the one that the rudder has.
+    pub(super) fn measured(
+        &self,
+        seen: Seen<'_>,
+        settings: &Settings,
+        order: RudderAngle,
+    ) -> Option<Measured> {
+        let ground = seen.ground();
+        let follows =
+            |response: &RudderAngle| libm::fabs(response.deg() - order.deg()) <= NOT_FOLLOWED_DEG;
         Some(Measured {
             heading: self.heading?,
             rate: self.rate,
-            rudder: self
-                .fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder)
-                .filter(|response| {
-                    libm::fabs(response.deg() - self.gear.order().deg()) <= NOT_FOLLOWED_DEG
-                }),
-            water_speed: Some(self.speed()),
+            rudder: seen.rudder().filter(follows),
+            water_speed: Some(self.speed(settings)),
             ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
-            position: self.position_guard.fix(now),
+            position: self.positions.fix(seen.now),
         })
     }
+}
+
+/// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
+fn recovers(seen: Seen<'_>) -> bool {
+    let (_, lost) = limits(Quantity::Heading);
+    seen.stalled_at()
+        .is_some_and(|after| seen.now.since(after) <= lost)
 }

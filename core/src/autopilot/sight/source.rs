@@ -1,11 +1,23 @@
-//! Whether a quantity still comes from the source that is preferred (AP-9).
+//! Whether a quantity still comes from the source that is preferred, and which sources are not believed (AP-9, DSP-5).
 
+use crate::facts::Quantity;
 use crate::picture::Source;
 use crate::time::Stamp;
 use serde::{Deserialize, Serialize};
 
 /// A source that is only used for so long has not been chosen: two receivers are not heard in the same instant.
 const SETTLED_MS: u64 = 3_000;
+
+/// A source that is heard and not believed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refused<'a> {
+    /// What it says.
+    pub quantity: Quantity,
+    /// Who says it.
+    pub source: &'a Source,
+    /// Why it is not believed, in an officer's words.
+    pub why: &'static str,
+}
 
 /// The preferred source of one quantity, and the one in use where that is another.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
