@@ -7,8 +7,8 @@ use wheelover_core::alerts::{Alert, Category, Priority, State};
 use wheelover_core::facts::Quantity;
 use wheelover_core::station::Direction;
 use wheelover_core::view::{
-    AlertView, Down, Hello, Line, Lines, ModeName, Pending, PortsDocument, RefusedView,
-    RouteDocument, Snapshot,
+    AlertView, Down, Hello, Line, Lines, ModeName, ModeRequest, Pending, PortsDocument,
+    RefusedView, RouteDocument, Snapshot,
 };
 use wheelover_tests::browser::Browser;
 use wheelover_tests::page::Page;
@@ -89,6 +89,7 @@ impl Frames {
             (own.mode, own.why) = (mode, why.to_owned());
             own.set_heading = (mode == ModeName::Auto).then_some(289.5);
             own.pending = None;
+            own.closed.clear();
         }
         self
     }
@@ -115,6 +116,17 @@ impl Frames {
                 until,
                 waits_for: "waits for three commands in a row".to_owned(),
             });
+        }
+        self
+    }
+
+    /// AP-6: neither AUTO nor AutoNAV can be selected, with the longest reasons.
+    fn closed(mut self) -> Self {
+        if let Some(own) = &mut self.snapshot.own {
+            own.closed = vec![
+                (ModeRequest::Auto, "override is in use".to_owned()),
+                (ModeRequest::Autonav, REASON[..57].to_owned()),
+            ];
         }
         self
     }
@@ -228,7 +240,12 @@ fn states(turn: &Frames) -> Vec<Value> {
                 State::Acknowledged,
                 "HTC missing: rudder held, steer by hand",
             )
+            .closed()
             .state("RUDDER HOLD"),
+        turn.clone()
+            .mode(ModeName::Standby, "operator selected STANDBY")
+            .closed()
+            .state("closed modes"),
         turn.clone().refused().state("nothing believed"),
         turn.clone().aged(4).state("late"),
         turn.clone()

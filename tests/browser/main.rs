@@ -7,6 +7,7 @@ mod decoder;
 mod fed;
 mod foreign;
 mod layout;
+mod modes;
 mod outage;
 mod pace;
 mod sleep;

@@ -4,7 +4,8 @@
 //! facts come from the snapshot; the digest of both pictures is compared. Out: commands, acknowledgements.
 //!
 //! What tests and scripts hold on to stands in attributes, never in classes: `data-value` with `data-state` for each
-//! value, `data-alert` for alerts, `data-plan` for what the plan draws, and `data-command` for buttons: `standby`,
+//! value, `data-alert` for alerts, `data-plan` for what the plan draws, `data-closed` for why a mode cannot be selected, and
+//! `data-command` for buttons: `standby`,
 //! `auto`, `autonav`, `adjust-10`, `adjust-1`, `adjust+1`, `adjust+10`, `confirm`, `cancel`, `silence`, `acknowledge`,
 //! `speed-1` … `speed-60`, `officer`, `chart-track`, `chart-heading`, `chart-stop`, `fault-chart-silent`,
 //! `fault-gyro-jump`, `fault-position-jump`, `current`, `north-up`, `head-up`, `course-up`, `range-in`, `range-out`,

@@ -1,7 +1,7 @@
 //! What the operator asks for, and the answer (AP-6, HTC-4).
 
 use super::modes::Event;
-use super::{Autopilot, Mode, ModeName, Timer};
+use super::{Autopilot, Mode, Timer};
 use crate::alerts::Alert;
 use crate::command::{ModeRequest, Order, Refusal};
 use crate::station::Output;
@@ -41,9 +41,9 @@ impl Autopilot {
                 self.mode.select(None);
                 Ok("AutoNAV selection withdrawn".into())
             }
-            Order::Mode(ModeRequest::Track) => {
-                Err(Refusal::because("TRACK needs valid APB: none is heard"))
-            }
+            Order::Mode(ModeRequest::Track) => self
+                .may_select(now, ModeRequest::Track)
+                .map(|()| "TRACK".into()),
             Order::SetHeading(degrees) => within("set heading", *degrees, 0.0..=360.0)
                 .and_then(|degrees| self.set_heading(now, Heading::from_deg(degrees))),
             Order::AdjustHeading(degrees) => match &self.mode {
@@ -80,7 +80,7 @@ impl Autopilot {
     }
 
     fn select_auto(&mut self, now: Stamp) -> Result<String, Refusal> {
-        self.can_enter(now, ModeName::Auto)?;
+        self.may_select(now, ModeRequest::Auto)?;
         self.alerts.machine.rectify(now, Alert::HeadingLost);
         self.alerts.machine.rectify(now, Alert::TrackFail);
         self.alerts.machine.rectify(now, Alert::Override);

@@ -3,7 +3,7 @@
 use super::modes::{self, Event, Need};
 use super::{Autopilot, CONFIRM_MS, Mode, ModeName};
 use crate::alerts::Alert;
-use crate::command::{Refusal, Remote};
+use crate::command::{ModeRequest, Refusal, Remote};
 use crate::limits::Quantity;
 use crate::nmea::Pney1;
 use crate::time::Stamp;
@@ -34,17 +34,33 @@ pub(super) const fn why_of(mode: ModeName) -> &'static str {
 impl Autopilot {
     /// The operator's half of the selection.
     pub(super) fn request_autonav(&mut self, now: Stamp) -> Result<String, Refusal> {
-        if self.mode.is_autonav() {
-            return Err(Refusal::because("AutoNAV is active already"));
-        }
-        self.can_enter(now, self.pending_mode(now))?;
+        self.may_select(now, ModeRequest::Autonav)?;
         self.mode.select(Some(now + CONFIRM_MS));
         self.why = "AutoNAV selected".into();
         Ok(self.waits_for(now))
     }
 
-    /// Whether a mode may be selected now, or why not.
-    pub(super) fn can_enter(&self, now: Stamp, mode: ModeName) -> Result<(), Refusal> {
+    /// Whether a mode may be asked for now, or why not; STANDBY always (AP-25). A press and the page's button ask this one.
+    ///
+    /// # Errors
+    /// The first need that the selection is refused without, in an officer's words (AP-6).
+    pub fn may_select(&self, now: Stamp, request: ModeRequest) -> Result<(), Refusal> {
+        let mode = match request {
+            ModeRequest::Standby | ModeRequest::Cancel => return Ok(()),
+            ModeRequest::Auto => ModeName::Auto,
+            ModeRequest::Autonav if self.mode.is_autonav() => {
+                return Err(Refusal::because("AutoNAV is active already"));
+            }
+            ModeRequest::Autonav => self.pending_mode(now),
+            ModeRequest::Track => {
+                return Err(Refusal::because("TRACK needs valid APB: none is heard"));
+            }
+        };
+        self.can_enter(now, mode)
+    }
+
+    /// Whether a mode may be entered now, or why not.
+    fn can_enter(&self, now: Stamp, mode: ModeName) -> Result<(), Refusal> {
         let entry = modes::row(mode).map_or(&[][..], |row| row.entry);
         let lacks = entry.iter().find(|need| !self.has(now, **need, mode));
         lacks.map_or(Ok(()), |need| Err(Refusal::because(need.missing())))

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 pub use voyage::{hello, ports_document, route_document, settings_document, snapshot};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 4;
+pub const PROTOCOL: u32 = 5;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -163,6 +163,9 @@ pub struct Own {
     pub why: String,
     /// A selection that waits for its confirmation.
     pub pending: Option<Pending>,
+    /// Modes that would be refused now, each with the reason in an officer's words; not the one that is on, and never
+    /// STANDBY (AP-6, AP-25).
+    pub closed: Vec<(ModeRequest, String)>,
     /// Set heading in AUTO, degrees.
     pub set_heading: Option<f64>,
     /// Heading to steer in force, degrees (the set course calculated in track control).

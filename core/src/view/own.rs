@@ -4,6 +4,7 @@ use super::{AlertView, ChartOwn, Own, Pending, RefusedView};
 use crate::alerts::Standing;
 use crate::autopilot::{Autopilot, Mode};
 use crate::chart_system::ChartSystem;
+use crate::command::ModeRequest;
 use crate::settings::SteeringBy;
 use crate::station::Profile;
 use crate::time::Stamp;
@@ -24,6 +25,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
             until: until.0,
             waits_for: autopilot.waits_for(now),
         }),
+        closed: closed(autopilot, now),
         set_heading: match autopilot.mode() {
             Mode::Auto(auto) => Some(auto.set.deg()),
             _ => None,
@@ -59,6 +61,20 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
             .iter()
             .any(|port| port.profile == Profile::Gear && port.output),
     }
+}
+
+/// AP-6: which of the modes that have a button would be refused, by the table of needs.
+fn closed(autopilot: &Autopilot, now: Stamp) -> Vec<(ModeRequest, String)> {
+    let buttons = [
+        (ModeRequest::Auto, matches!(autopilot.mode(), Mode::Auto(_))),
+        (ModeRequest::Autonav, autopilot.mode().is_autonav()),
+    ];
+    let off = buttons.into_iter().filter(|(_, on)| !on);
+    off.filter_map(|(request, _)| {
+        let refusal = autopilot.may_select(now, request).err()?;
+        Some((request, refusal.text))
+    })
+    .collect()
 }
 
 fn sources(autopilot: &Autopilot, now: Stamp) -> Vec<(String, String)> {

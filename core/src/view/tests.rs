@@ -48,6 +48,7 @@ fn messages() -> Vec<String> {
                     until: 21_000,
                     waits_for: "no position".into(),
                 }),
+                closed: vec![(ModeRequest::Auto, "no heading".into())],
                 set_heading: None,
                 hts: Some(245.5),
                 set_rate: 28.0,
@@ -225,6 +226,53 @@ fn a_route_is_drawn_with_all_its_turns() {
     let document = drawn_route(&crate::route::embedded(), 3);
     let drawn = (document.waypoints.len(), document.turns.len());
     assert_eq!((drawn, document.revision), ((8, 6), 3));
+}
+
+/// AP-6, AP-25: what the page greys is what a press would be refused with, in each mode that an officer meets.
+#[test]
+fn a_mode_that_would_be_refused_is_closed_with_the_reason_of_the_refusal() {
+    use crate::time::Stamp;
+    use crate::voyage::{Event, Voyage, VoyageConfig, VoyageOutput};
+    let mut config = VoyageConfig::embedded(7);
+    config.settings.external_tcs = false;
+    let mut unfitted = Voyage::configured(config);
+    let mut voyage = Voyage::embedded(7);
+    let closed = |voyage: &Voyage| snapshot(voyage).own.unwrap().closed;
+    let press = |voyage: &mut Voyage, request| {
+        let mut out = Vec::new();
+        let order = Order::Mode(request);
+        let by = Origin::Officer;
+        voyage.handle(voyage.now(), Event::Order { id: 1, by, order }, &mut out);
+        out.into_iter().find_map(|output| match output {
+            VoyageOutput::Answer(answer) => Some((answer.ok, answer.text)),
+            _ => None,
+        })
+    };
+    assert_eq!(closed(&voyage)[0], (ModeRequest::Auto, "no heading".into()));
+    for voyage in [&mut voyage, &mut unfitted] {
+        for (second, request) in [
+            (5, ModeRequest::Standby),
+            (6, ModeRequest::Auto),
+            (7, ModeRequest::Standby),
+        ] {
+            voyage.handle(Stamp(second * 1_000), Event::Tick, &mut Vec::new());
+            press(voyage, request);
+            for (mode, why) in closed(voyage) {
+                assert_eq!(press(&mut voyage.clone(), mode), Some((false, why)));
+            }
+        }
+        let open = |mode: ModeRequest| closed(voyage).iter().all(|(closed, _)| *closed != mode);
+        assert!(open(ModeRequest::Standby) && open(ModeRequest::Auto));
+    }
+    let why = |voyage: &Voyage| closed(voyage).pop();
+    let autonav = |why: &str| Some((ModeRequest::Autonav, why.to_string()));
+    let not_fitted = autonav("AutoNAV is not enabled at installation");
+    assert_eq!(why(&unfitted), not_fitted);
+    assert_eq!(why(&voyage), autonav("AutoNAV is selected from AUTO only"));
+    press(&mut voyage, ModeRequest::Auto);
+    press(&mut unfitted, ModeRequest::Auto);
+    assert_eq!(closed(&voyage), [], "AUTO is on, AutoNAV can be selected");
+    assert_eq!(why(&unfitted), not_fitted);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The controls: STANDBY at one press; AUTO, its heading and AutoNAV by press and confirm; the reason for the mode.
 //!
+//! A mode that would be refused is greyed, and the line below the buttons says what it waits for (AP-6). STANDBY never is.
+//!
 //! **Invariant:** every button has its place at all times, and CONFIRM has one that nothing else ever had: a finger that
 //! taps again where it tapped confirms nothing.
 
@@ -101,6 +103,63 @@ pub(super) fn Control() -> impl IntoView {
             ))
         })
     });
+    let closed = Memo::new(move |_| {
+        own.with(|own| {
+            own.as_ref()
+                .map(|own| own.closed.clone())
+                .unwrap_or_default()
+        })
+    });
+    let reason = move |request: ModeRequest| {
+        let of = |closed: &Vec<(ModeRequest, String)>| {
+            let found = closed.iter().find(|(mode, _)| *mode == request);
+            found.map(|(_, why)| why.clone())
+        };
+        closed.with(of)
+    };
+    let select = move |name: &'static str,
+                       text: &'static str,
+                       request,
+                       on: fn(ModeName) -> bool,
+                       what: Armed| {
+        let why = move || reason(request);
+        let line = move || {
+            why().map(|why| match why.strip_prefix(text) {
+                Some(_) => why,
+                None => format!("{text}: {why}"),
+            })
+        };
+        let key = view! {
+            <button
+                type="button"
+                data-command=name
+                aria-pressed=move || pressed(mode.get().is_some_and(on))
+                aria-disabled=move || pressed(why().is_some())
+                aria-describedby=move || why().is_some().then_some(name)
+                title=why
+                disabled=move || !may.get()
+                on:click=move |_| if why().is_none() { arm(what.clone()) }
+            >
+                {text}
+            </button>
+        };
+        let line = view! { <span id=name class="closed" data-closed=name>{line}</span> };
+        (key, line)
+    };
+    let (auto, auto_closed) = select(
+        "auto",
+        "AUTO",
+        ModeRequest::Auto,
+        |mode| mode == ModeName::Auto,
+        Armed::Auto,
+    );
+    let (autonav, autonav_closed) = select(
+        "autonav",
+        "AutoNAV",
+        ModeRequest::Autonav,
+        |mode| matches!(mode, ModeName::AutonavTi | ModeName::AutonavTn),
+        Armed::Autonav,
+    );
     let adjust = move |name: &'static str, text: &'static str, degrees: f64| {
         view! {
             <button type="button" data-command=name disabled=move || !may.get() on:click=move |_| nudge(degrees)>
@@ -123,26 +182,8 @@ pub(super) fn Control() -> impl IntoView {
                 >
                     "STANDBY"
                 </button>
-                <button
-                    type="button"
-                    data-command="auto"
-                    aria-pressed=move || pressed(mode.get() == Some(ModeName::Auto))
-                    disabled=move || !may.get()
-                    on:click=move |_| arm(Armed::Auto)
-                >
-                    "AUTO"
-                </button>
-                <button
-                    type="button"
-                    data-command="autonav"
-                    aria-pressed=move || {
-                        pressed(matches!(mode.get(), Some(ModeName::AutonavTi | ModeName::AutonavTn)))
-                    }
-                    disabled=move || !may.get()
-                    on:click=move |_| arm(Armed::Autonav)
-                >
-                    "AutoNAV"
-                </button>
+                {auto}
+                {autonav}
                 {adjust("adjust-10", "−10", -10.0)}
                 {adjust("adjust-1", "−1", -1.0)}
                 <span class="set">
@@ -155,6 +196,8 @@ pub(super) fn Control() -> impl IntoView {
             <p class="why" role="status">
                 <b class="pending" data-value="pending">{move || pending.get()}</b>
                 <span data-value="why">{move || why(deck, &own)}</span>
+                {auto_closed}
+                {autonav_closed}
             </p>
             <button
                 type="button"
