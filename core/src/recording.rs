@@ -17,10 +17,8 @@ use alloc::vec::Vec;
 use core::fmt;
 use entry::{Entry, Taken, Timed};
 use form::Beginning;
+pub use form::FORMAT;
 use serde::Serialize;
-
-/// Raised whenever an older recording has to be read in another way.
-pub const FORMAT: u32 = 2;
 
 /// First line of a recording: how the voyage is made, and the version of the program that runs it.
 #[must_use]

@@ -7,20 +7,12 @@ use std::sync::OnceLock;
 
 /// Circles that still stand, folder by folder: nothing may join them, and who opens one takes it off.
 #[rustfmt::skip]
-const OPEN: [(&str, &str); 13] = [
+const OPEN: [(&str, &str); 5] = [
     ("core autopilot", ". operator readings remote report selection sight"),
-    ("core chart_system", ". commanding current followed indications position sentences sight"),
     ("core nmea", ". ais angles assemble codes decode document encode explain explain_text explain_units hints json known macros read tables values view whole"),
     ("core nmea::ais", "message plan walk"),
     ("core nmea::ais::plan", ". lay"),
     ("core nmea::ais::tables", ". application management report statics targets"),
-    ("core recording", ". first_format form"),
-    ("core route", ". embedded fit leg progress turn"),
-    ("core view", ". own route voyage"),
-    ("core voyage", ". conduct see setup tap"),
-    ("web ", "app asking believed bridge deck later link reading top"),
-    ("web link", ". socket voyage"),
-    ("web plan", "foreign scene ship track"),
 ];
 
 fn core() -> &'static Needs {

@@ -134,7 +134,9 @@ impl Source {
         if is(rest.first(), '.')
             && let Some(name) = ident(rest.get(1))
         {
-            if matches!(rest.get(2), Some(TokenTree::Group(_))) {
+            // Not `if here.field { … }`.
+            let called = |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis);
+            if rest.get(2).is_some_and(called) {
                 self.calls.insert(name);
             }
             return 2;
@@ -232,7 +234,7 @@ fn item_of_use(trees: &[TokenTree]) -> usize {
 fn what_a_file_names_is_read() {
     let source = read(
         "//! X.\nmod part;\npub use part::{A, b::C as D};\nuse super::*;\n#[cfg(test)]\nmod tests { use crate::never; }\n\
-         pub(crate) struct Own;\nimpl<T> Own { fn made(&self) -> u8 { crate::x::y(self.call(1)) } }\n\
+         pub(crate) struct Own;\nimpl<T> Own { fn made(&self) -> u8 { crate::x::y(self.call(1)); if self.field { 1 } } }\n\
          impl Other for Own { fn not(&self) {} }\n// crate::comment\nconst S: &str = \"crate::text\";\n",
     );
     let import = |path: &str, name: &str, public| Import {

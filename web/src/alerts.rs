@@ -4,7 +4,7 @@
 
 use crate::deck::Deck;
 use crate::format;
-use crate::link::steady;
+use crate::steady::steady;
 use leptos::prelude::*;
 use wheelover_core::alerts::{Category, Priority, State};
 use wheelover_core::view::{AlertView, Order};

@@ -1,43 +1,22 @@
 //! The page's frame: top bar, alert bar, and the view that the address names (`#/bridge`, `#/dialogue`, `#/decoder`, `#/about`).
 
 use crate::alerts::AlertBar;
+use crate::asking;
 use crate::bridge::Bridge;
 use crate::deck::Deck;
 use crate::later::{Later, Parts};
-use crate::link::{self, InPage, Socket, each_frame};
+use crate::link::{self, InPage, Socket};
 use crate::lookup::Dictionary;
 use crate::palette;
+use crate::steady::each_frame;
 use crate::top::{NoLink, TopBar};
+use crate::views::View;
 use leptos::prelude::*;
 use std::time::Duration;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::EventTarget;
 use wheelover_core::voyage::Voyage;
-
-/// Which view is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
-    /// The bridge view.
-    Bridge,
-    /// Both directions of the dialogue.
-    Dialogue,
-    /// Lines explained.
-    Decoder,
-    /// What this is.
-    About,
-}
-
-impl View {
-    fn of(hash: &str) -> Self {
-        match hash {
-            "#/dialogue" => Self::Dialogue,
-            "#/decoder" => Self::Decoder,
-            "#/about" => Self::About,
-            _ => Self::Bridge,
-        }
-    }
-}
 
 /// Mounts the page: the whole of it, or the decoder alone in the file that works from a disk.
 pub fn start(parts: Parts) {
@@ -71,19 +50,19 @@ pub fn sail(voyage: Voyage) {
 fn live(deck: Deck, parts: Parts) {
     let dictionary = Dictionary::new();
     mount_to_body(move || view! { <Page deck dictionary parts/> });
-    each_frame(move || deck.look());
+    each_frame(move || asking::look(deck));
     // The first picture after a sleep is judged before it is shown, and the last one before it is dead (FC6).
-    on(&window(), "pagehide", move || deck.leave(true));
-    on(&window(), "pageshow", move || deck.leave(false));
-    on(&document(), "freeze", move || deck.leave(true));
-    on(&document(), "resume", move || deck.leave(false));
+    on(&window(), "pagehide", move || asking::leave(deck, true));
+    on(&window(), "pageshow", move || asking::leave(deck, false));
+    on(&document(), "freeze", move || asking::leave(deck, true));
+    on(&document(), "resume", move || asking::leave(deck, false));
     on(&document(), "visibilitychange", move || {
-        deck.leave(document().hidden());
+        asking::leave(deck, document().hidden());
     });
     let (mut beat, mut fetched) = (0_u32, false);
     let tick = move || {
         beat = beat.wrapping_add(1);
-        deck.look();
+        asking::look(deck);
         link::watch(deck.silent());
         if deck.own.with_untracked(Option::is_some) {
             // What is shown first has come; from now on the other views need no server either.

@@ -1,19 +1,13 @@
 //! Commands: asked, answered, or said at once that they were not sent. Nothing waits, and nothing is sent later (AP-25).
 
-use crate::deck::{Asked, Deck, LinkAge};
-use crate::link::{self, steady};
+use crate::deck::{Asked, Deck, LinkAge, STANDBY};
+use crate::link;
+use crate::steady::steady;
 use leptos::prelude::*;
-use std::time::Duration;
-use wheelover_core::view::{Answer, Order};
-
-/// So long a refusal is shown.
-const REFUSAL: Duration = Duration::from_secs(20);
+use wheelover_core::view::Order;
 
 /// An answer that takes longer is not waited for, milliseconds.
 const PATIENCE: f64 = 2_000.0;
-
-/// The button whose command is never refused quietly.
-const STANDBY: &str = "standby";
 
 impl Deck {
     /// Sends a command for a button; says at once where it was not sent.
@@ -44,55 +38,41 @@ impl Deck {
         }
     }
 
-    /// Takes an answer.
-    pub(crate) fn answered(&self, answer: Answer) {
-        self.asked
-            .update(|asked| asked.retain(|asked| asked.id != answer.id));
-        let shown = self.answer;
-        let mine = answer.clone();
-        self.answer.set(Some(answer));
-        // A refusal need not stand beside a mode that has long changed.
-        let fade = move || {
-            if shown.with_untracked(|shown| shown.as_ref() == Some(&mine)) {
-                shown.set(None);
-            }
-        };
-        set_timeout(fade, REFUSAL);
-    }
-
-    /// The connection has ended, or nothing comes on it: what was asked and not answered is not waited for.
-    pub(crate) fn unanswered(&self) {
-        let asked = self.asked.get_untracked();
-        if asked.is_empty() {
-            return;
-        }
-        self.asked.set(Vec::new());
-        let standby = asked.iter().any(|asked| asked.button == STANDBY);
-        self.refuse(if standby {
-            "NO ANSWER: STANDBY may not be done, use the ship's own override"
-        } else {
-            "NO ANSWER: look at the mode"
-        });
-    }
-
     /// Gives up what is not answered in time.
-    pub(crate) fn hurry(&self, lost: bool) {
+    fn hurry(&self) {
         let now = steady();
         let late = self
             .asked
             .with_untracked(|asked| asked.iter().any(|asked| now - asked.at > PATIENCE));
-        if late || lost && self.asked.with_untracked(|asked| !asked.is_empty()) {
+        let dead = || {
+            let link = LinkAge {
+                age: self.silent(),
+                frames: 0,
+            };
+            link.lost() && self.asked.with_untracked(|asked| !asked.is_empty())
+        };
+        if late || dead() {
             self.unanswered();
             // Nothing that may still be on its way is sent later.
             link::renew();
         }
     }
+}
 
-    fn refuse(&self, text: &str) {
-        self.answered(Answer {
-            id: 0,
-            ok: false,
-            text: text.to_owned(),
-        });
+/// Looks at the clocks before each picture of the browser, and four times a second.
+pub(crate) fn look(deck: Deck) {
+    let slept = deck.look();
+    deck.hurry();
+    if slept && !document().hidden() {
+        // A socket may look open and be dead, or full of what is long past.
+        link::renew();
+    }
+}
+
+/// The page is about to stand still, or is looked at again.
+pub(crate) fn leave(deck: Deck, leaving: bool) {
+    deck.leave(leaving);
+    if !leaving {
+        look(deck);
     }
 }

@@ -2,9 +2,10 @@
 
 use crate::clock::{Clock, Wakefulness};
 use crate::heard::{Agreement, Fold};
-use crate::link::{self, steady, wall_clock};
-use crate::reading::{LINK_LOST_MS, Readings};
+use crate::readings::{LINK_LOST_MS, Readings};
+use crate::steady::{steady, wall_clock};
 use leptos::prelude::*;
+use std::time::Duration;
 use wheelover_core::view::{Answer, Hello, Lines, Outline, PortView, RouteDocument, Snapshot};
 
 /// What came is drawn at once, but no two pictures closer than this, milliseconds.
@@ -15,6 +16,12 @@ const AGES: f64 = 250.0;
 
 /// A page that did not run for so long has slept: what waited for it is old, milliseconds (FC6).
 const ASLEEP: f64 = 2_000.0;
+
+/// So long a refusal is shown.
+const REFUSAL: Duration = Duration::from_secs(20);
+
+/// The button whose command is never refused quietly.
+pub(crate) const STANDBY: &str = "standby";
 
 /// What a hello says besides the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,8 +226,9 @@ impl Deck {
     }
 
     /// Looks at the clocks before each picture of the browser, and four times a second: draws what came, lets ages run on,
-    /// and finds out that the page or its computer has slept.
-    pub(crate) fn look(&self) {
+    /// and finds out
+    /// whether the page or its computer has slept.
+    pub(crate) fn look(&self) -> bool {
         let now = steady();
         let absence = self
             .wakefulness
@@ -232,19 +240,53 @@ impl Deck {
         if slept || since >= AGES || self.waiting.get_value() && since >= DRAW {
             self.show();
         }
-        if slept && !document().hidden() {
-            // A socket may look open and be dead, or full of what is long past.
-            link::renew();
-        }
+        slept
     }
 
     /// The page is about to stand still, or is looked at again: what was drawn before must not be the first that is seen.
     pub(crate) fn leave(&self, leaving: bool) {
         self.leaving.set_value(leaving);
         self.show();
-        if !leaving {
-            self.look();
+    }
+
+    /// Takes an answer.
+    pub(crate) fn answered(&self, answer: Answer) {
+        self.asked
+            .update(|asked| asked.retain(|asked| asked.id != answer.id));
+        let shown = self.answer;
+        let mine = answer.clone();
+        self.answer.set(Some(answer));
+        // A refusal need not stand beside a mode that has long changed.
+        let fade = move || {
+            if shown.with_untracked(|shown| shown.as_ref() == Some(&mine)) {
+                shown.set(None);
+            }
+        };
+        set_timeout(fade, REFUSAL);
+    }
+
+    /// The connection has ended, or nothing comes on it: what was asked and not answered is not waited for.
+    pub(crate) fn unanswered(&self) {
+        let asked = self.asked.get_untracked();
+        if asked.is_empty() {
+            return;
         }
+        self.asked.set(Vec::new());
+        let standby = asked.iter().any(|asked| asked.button == STANDBY);
+        self.refuse(if standby {
+            "NO ANSWER: STANDBY may not be done, use the ship's own override"
+        } else {
+            "NO ANSWER: look at the mode"
+        });
+    }
+
+    /// Says on the page that something was not done.
+    pub(crate) fn refuse(&self, text: &str) {
+        self.answered(Answer {
+            id: 0,
+            ok: false,
+            text: text.to_owned(),
+        });
     }
 
     /// Makes everything shown anew.
@@ -278,7 +320,6 @@ impl Deck {
         if agreement != self.agreement.get_untracked() {
             self.agreement.set(agreement);
         }
-        self.hurry(clock.age(now).is_none_or(|age| age > LINK_LOST_MS));
     }
 
     /// Own facts live and die with the link, all together.

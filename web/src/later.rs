@@ -3,9 +3,9 @@
 //! Where the parts begin is said by who starts the page ([`Parts`]): the program itself cuts them out.
 
 use crate::about::About;
-use crate::app::View;
 use crate::decoder::Decoder;
 use crate::dialogue::Dialogue;
+use crate::views::View;
 use leptos::prelude::*;
 use leptos::reactive::computed::ScopedFuture;
 use leptos::task::spawn_local;

@@ -28,6 +28,7 @@ pub mod heard;
 mod message;
 pub mod plan;
 pub mod reading;
+pub mod readings;
 pub mod text;
 pub mod trail;
 
@@ -58,6 +59,10 @@ mod palette;
 #[cfg(target_arch = "wasm32")]
 mod situation;
 #[cfg(target_arch = "wasm32")]
+mod steady;
+#[cfg(target_arch = "wasm32")]
 mod top;
 #[cfg(target_arch = "wasm32")]
 mod value;
+#[cfg(target_arch = "wasm32")]
+pub mod views;

@@ -1,11 +1,11 @@
 //! The top bar: mode, state of the turn, sources, link, time; and the banner when the link is gone.
 
-use crate::app::View;
 use crate::deck::Deck;
 use crate::format;
 use crate::heard::Agreement;
 use crate::palette::Palettes;
 use crate::situation;
+use crate::views::View;
 use leptos::prelude::*;
 use wheelover_core::view::ModeName;
 

@@ -2,7 +2,8 @@
 
 use crate::deck::Deck;
 use crate::format;
-use crate::reading::{Reading, Readings, state_name};
+use crate::reading::{Reading, state_name};
+use crate::readings::Readings;
 use leptos::prelude::*;
 use wheelover_core::limits::Freshness;
 

@@ -1,7 +1,7 @@
 //! Who is asked to steer: off, track control ("Ti") or remote heading control ("Tn"), and what each needs.
 
-use super::ChartSystem;
-use super::followed::Followed;
+use super::control::{Commanding, Followed};
+use super::state::ChartSystem;
 use crate::alerts::Alert;
 use crate::command::{ChartRequest, Order, Refusal};
 use crate::nmea::SteeringMode;
@@ -10,38 +10,9 @@ use crate::time::Stamp;
 use crate::units::{Course, SignedAngle};
 use alloc::format;
 use alloc::string::String;
-use serde::{Deserialize, Serialize};
 
 /// Nearer than this to the wheel-over line, track control does not begin, seconds.
 const TOO_CLOSE_S: f64 = 15.0;
-
-/// What the chart system commands.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Commanding {
-    /// Nothing: HTC mode S.
-    Off,
-    /// Track control, HTC mode T.
-    Track {
-        /// A turn was completed since control began (situation 5 instead of 2).
-        turned: bool,
-    },
-    /// Remote heading control, HTC mode H.
-    Heading {
-        /// Course of the virtual leg, where no route is sailed.
-        leg: Option<Course>,
-    },
-}
-
-impl Commanding {
-    pub(super) const fn name(self) -> &'static str {
-        match self {
-            Self::Off => "off",
-            Self::Track { .. } => "track",
-            Self::Heading { .. } => "heading",
-        }
-    }
-}
 
 fn refuse<T>(reason: impl Into<String>) -> Result<T, Refusal> {
     Err(Refusal::because(reason.into()))
@@ -162,12 +133,6 @@ impl ChartSystem {
         }
         self.end_control("stopped by the officer");
         "control stopped".into()
-    }
-
-    /// Control ends; HTC goes to S (TCS-3, TCS-10).
-    pub(super) fn end_control(&mut self, why: &str) {
-        self.control = Commanding::Off;
-        self.why = format!("control ended: {why}");
     }
 
     /// Where on the route control would begin.

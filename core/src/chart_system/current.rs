@@ -3,7 +3,7 @@
 //! `V = LP(v_ground - v_water)` with a time constant of 40 s; on a course `c` the crab angle is
 //! `asin(-V_across / U_water)` and so is known at once on any other course.
 
-use super::position::OverGround;
+use super::place::OverGround;
 use crate::geo::Point;
 use crate::units::{Course, Heading, Speed};
 use serde::{Deserialize, Serialize};

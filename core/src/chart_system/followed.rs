@@ -1,38 +1,13 @@
 //! Whether the autopilot follows: control that it has left, or under which it fell silent, is not commanded on (TCS-13).
 
-use super::ChartSystem;
-use super::commanding::Commanding;
+use super::control::Commanding;
+use super::state::ChartSystem;
 use crate::alerts::Alert;
 use crate::nmea::SteeringMode;
 use crate::time::Stamp;
-use serde::{Deserialize, Serialize};
 
 /// An autopilot that followed and has not said so for so long is silent, milliseconds.
 const SILENT_MS: u64 = 5_000;
-
-/// What HTD said since control began. Either side may come first (AP-6), so nothing is asked of it before it followed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Followed {
-    /// When control began.
-    begun: Stamp,
-    /// When HTD last said T or H under this control.
-    at: Option<Stamp>,
-}
-
-impl Followed {
-    /// Control begins at `now`; what was heard before does not count.
-    pub(super) const fn begin(now: Stamp) -> Self {
-        Self {
-            begun: now,
-            at: None,
-        }
-    }
-
-    /// FA16: the station stood still and must hear again; its own gap is not the autopilot's.
-    pub(super) fn stalled(&mut self, now: Stamp) {
-        self.at = self.at.map(|_| now);
-    }
-}
 
 impl ChartSystem {
     /// TCS-13: ends control that the autopilot has left, or under which it fell silent.

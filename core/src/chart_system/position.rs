@@ -1,13 +1,12 @@
 //! What the chart system makes of its picture: where the ship is at the moment of sending, and how she moves (AP-9, FA9, TCS-3).
 
-use super::ChartSystem;
+use super::place::{Here, OverGround};
+use super::state::ChartSystem;
 use crate::geo::{Point, Position};
 use crate::limits::{Quantity, limits};
-use crate::nmea::{ModeIndicator, SteeringMode, UtcTime};
-use crate::picture::Fix;
+use crate::nmea::{SteeringMode, UtcTime};
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Speed};
-use serde::{Deserialize, Serialize};
 
 /// A fix that differs from dead reckoning by more than this is not used at once, metres (FA9).
 const JUMP_M: f64 = 50.0;
@@ -17,47 +16,6 @@ const JUMPS: u8 = 3;
 const HELD_MS: u64 = 2_000;
 /// Slower than this a course over ground means nothing and may be missing, knots.
 const STILL_KNOTS: f64 = 0.5;
-
-/// A position for the moment of sending.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Here {
-    pub(super) position: Position,
-    pub(super) utc: Option<UtcTime>,
-    pub(super) mode: ModeIndicator,
-}
-
-/// Course and speed over ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct OverGround {
-    pub(super) course: Course,
-    pub(super) speed: Speed,
-    pub(super) mode: ModeIndicator,
-}
-
-/// Guards the position against jumps.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct PositionGuard {
-    /// When the last fix that was judged was heard.
-    judged: Option<Stamp>,
-    /// The last fix that is believed, and when it was heard.
-    fix: Option<(Fix, Stamp)>,
-    off: u8,
-    jumped: bool,
-}
-
-impl PositionGuard {
-    /// Whether the position has jumped since the last call (FA9).
-    pub(super) fn take_jump(&mut self) -> bool {
-        core::mem::take(&mut self.jumped)
-    }
-
-    /// The ship may be anywhere: waits for a new position.
-    pub(super) fn forget(&mut self) {
-        self.fix = None;
-        self.off = 0;
-        self.jumped = false;
-    }
-}
 
 impl ChartSystem {
     /// Judges a fix that has come since the last call.

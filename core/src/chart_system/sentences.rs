@@ -1,7 +1,7 @@
 //! What the chart system says each second (interface section 4).
 
-use super::ChartSystem;
-use super::commanding::Commanding;
+use super::control::Commanding;
+use super::state::ChartSystem;
 use crate::nmea::{
     CommandStatus, DataStatus, Gll, Htc, ModeIndicator, OverrideStatus, Pney1, Pney2, Reference,
     SteeringMode, TurnMode, Vhw, Vtg, Xte,

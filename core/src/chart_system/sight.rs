@@ -1,24 +1,14 @@
 //! What the chart system sees each second: the part of the route, cross-track distances, situation.
 
-use super::ChartSystem;
-use super::commanding::Commanding;
-use super::position::Here;
+use super::control::{Commanding, CrossTracks};
+use super::place::Here;
+use super::state::ChartSystem;
 use crate::route::{Phase, Progress};
 use crate::time::Stamp;
 use crate::units::Distance;
-use serde::{Deserialize, Serialize};
 
 /// The forwarding distance follows the speed until so long before the wheel-over line, seconds.
 const FORWARDING_FIXED_S: f64 = 60.0;
-
-/// Cross-track distances as they are sent, right of the track positive.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct CrossTracks {
-    /// For display (XTE): to the leg, on an arc to the arc.
-    pub(super) display: Option<Distance>,
-    /// For control (PNEY,001): to the leg, on an arc to the next leg.
-    pub(super) control: Option<Distance>,
-}
 
 impl ChartSystem {
     /// Moves along the route with the position; ends control that is no longer possible.

@@ -15,9 +15,13 @@ use crate::nmea::{
     self, DataStatus, Gll, Hdt, Htc, Htd, ModeIndicator, Pney1, Pney2, SteeringMode, TurnMode,
     UtcTime, Vhw, Vtg, Xte,
 };
-use crate::route::{RouteLimits, Waypoint};
-use crate::units::{Course, Radius};
+use crate::route::{Route, RouteLimits, Waypoint};
+use crate::station::{Input, Output};
+use crate::time::Stamp;
+use crate::units::{Course, Distance, Radius};
+use alloc::string::String;
 use alloc::vec;
+use alloc::vec::Vec;
 
 const SPEED_KN: f64 = 15.0;
 const STEP_M: f64 = SPEED_KN * 1852.0 / 3600.0;

@@ -3,7 +3,6 @@
 //! In: how a voyage is made. Out: its form, and from the form the same again. The names and units here are the
 //! format (`docs/recording.md`); what they are called in the program may change without it.
 
-use super::FORMAT;
 use crate::autopilot::steering::SteeringSettings;
 use crate::chart_system::ChartConfig;
 use crate::geo::Position;
@@ -18,6 +17,9 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
+
+/// Raised whenever an older recording has to be read in another way.
+pub const FORMAT: u32 = 2;
 
 /// The form of a struct: a key for each of its fields. A key that an older file lacks has its value by default;
 /// a field without a key does not compile.

@@ -1,10 +1,11 @@
 //! Route geometry and the checks of TCS-11.
 
 use super::*;
-use crate::geo::rhumb;
-use crate::units::Course;
+use crate::geo::{Position, rhumb};
+use crate::units::{Course, Distance, Radius, Speed};
 use alloc::string::ToString;
 use alloc::vec;
+use alloc::vec::Vec;
 
 fn near(a: f64, b: f64, within: f64) {
     assert!((a - b).abs() < within, "{a} is not {b}");

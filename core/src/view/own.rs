@@ -1,6 +1,6 @@
 //! The stations' own facts, for the page.
 
-use super::{AlertView, ChartOwn, Own, Pending, RefusedView};
+use super::message::{AlertView, ChartOwn, Own, Pending, RefusedView};
 use crate::alerts::Standing;
 use crate::autopilot::{Autopilot, Mode};
 use crate::chart_system::ChartSystem;

@@ -1,6 +1,6 @@
 //! The route as the page draws it.
 
-use super::{RouteDocument, TurnView, WaypointView};
+use super::message::{RouteDocument, TurnView, WaypointView};
 use crate::route::{Route, Turn, Waypoint};
 use alloc::string::ToString;
 

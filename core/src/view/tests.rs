@@ -1,11 +1,13 @@
 //! Each message as text: if one changes, `PROTOCOL` must be raised with `golden.txt`.
 
 use super::*;
+use crate::facts::Quantity;
+use crate::geo::Position;
 use crate::picture::Picture;
-use crate::station::{ChecksumPolicy, Direction, Profile};
-use alloc::format;
-use alloc::string::ToString;
-use alloc::vec;
+use crate::station::{ChecksumPolicy, Direction, PortSetup, Profile};
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use alloc::{format, vec};
 
 fn messages() -> Vec<String> {
     let place = Position {

@@ -1,11 +1,11 @@
 //! What a voyage shows: first frame, snapshot, and the documents.
 
-use super::own::{alert, chart_own, own};
-use super::route::drawn_route;
-use super::{
+use super::message::{
     Hello, Outline, PROTOCOL, PortView, PortsDocument, RouteDocument, SettingsDocument, Snapshot,
     VoyageOwn,
 };
+use super::own::{alert, chart_own, own};
+use super::route::drawn_route;
 use crate::chart_system::ChartSystem;
 use crate::picture::PortCount;
 use crate::station::PortSetup;

@@ -1,8 +1,7 @@
 //! Cables between stations in one process, and what can be done to them.
 
-use super::Role;
 use crate::command::FaultKind;
-use crate::station::{PortIndex, Profile};
+use crate::station::{PortIndex, Profile, Role};
 use crate::time::Stamp;
 use alloc::collections::VecDeque;
 use alloc::string::{String, ToString};

@@ -1,9 +1,10 @@
 //! Commands: to whom each goes, what the embedded voyage does with its own, what the officer presses.
 
+use super::event::VoyageOutput;
 use super::officer::{Action, InView, Officer};
-use super::{Role, Voyage, VoyageOutput};
+use super::wiring::Voyage;
 use crate::command::{FaultKind, Order, Origin};
-use crate::station::{Input, Output};
+use crate::station::{Input, Output, Role};
 use crate::time::Stamp;
 use alloc::format;
 use alloc::string::{String, ToString};

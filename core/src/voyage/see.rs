@@ -1,12 +1,12 @@
 //! What can be seen of a voyage: its stations, their alerts, its pace and its ports.
 
-use super::{Role, Voyage};
+use super::wiring::Voyage;
 use crate::alerts::Standing;
 use crate::autopilot::Autopilot;
 use crate::chart_system::ChartSystem;
 use crate::command::FaultKind;
 use crate::picture::Picture;
-use crate::station::PortIndex;
+use crate::station::{PortIndex, Role};
 use crate::time::Stamp;
 use crate::world::World;
 use alloc::string::String;

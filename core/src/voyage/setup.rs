@@ -1,15 +1,15 @@
 //! How a voyage is put together: roles, ports, cables.
 
-use super::Voyage;
 use super::cable::Cables;
 use super::officer::Officer;
+use super::tap::Slot;
+use super::wiring::Voyage;
 use crate::autopilot::Autopilot;
 use crate::autopilot::steering::SteeringSettings;
 use crate::chart_system::{ChartConfig, ChartSystem};
 use crate::route;
 use crate::settings::Settings;
-pub use crate::station::Role;
-use crate::station::{ChecksumPolicy, PortIndex, PortSetup, Profile};
+use crate::station::{ChecksumPolicy, PortIndex, PortSetup, Profile, Role};
 use crate::time::Stamp;
 use crate::units::{Course, Speed};
 use crate::world::{World, WorldConfig};
@@ -145,7 +145,7 @@ impl Voyage {
             officer_due: now + 1_000,
             scratch: Vec::new(),
             deliveries: VecDeque::new(),
-            tap: super::tap::Slot::default(),
+            tap: Slot::default(),
         }
     }
 }

@@ -2,12 +2,8 @@
 //!
 //! It is how faults are proven on the wiring that is shipped; a voyage without a tap is untouched by it.
 
-use super::{Role, Voyage, VoyageOutput};
-use crate::autopilot::Autopilot;
-use crate::chart_system::ChartSystem;
-use crate::station::{PortSetup, Profile};
+use crate::station::{Profile, Role};
 use crate::time::Stamp;
-use crate::world::World;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
@@ -30,7 +26,7 @@ pub type Tap = Box<dyn FnMut(Parcel<'_>) -> Option<Vec<u8>> + Send>;
 
 /// Where a tap is set. It is no part of the voyage's state: a copy and a recording have none.
 #[derive(Default)]
-pub(super) struct Slot(Option<Tap>);
+pub(super) struct Slot(pub(super) Option<Tap>);
 
 impl Slot {
     /// What the tap makes of a parcel.
@@ -56,37 +52,5 @@ impl Clone for Slot {
 impl fmt::Debug for Slot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.is_set() { "a tap" } else { "no tap" })
-    }
-}
-
-impl Voyage {
-    /// From now on everything on the cables inside passes `tap` before it is heard.
-    pub fn tap(&mut self, tap: Tap) {
-        self.tap = Slot(Some(tap));
-    }
-
-    /// The ports of a station; none where it does not run here.
-    pub(super) fn ports_of(&self, role: Role) -> &[PortSetup] {
-        let picture = match role {
-            Role::Autopilot => self.autopilot.as_ref().map(Autopilot::picture),
-            Role::ChartSystem => self.chart.as_ref().map(ChartSystem::picture),
-            Role::World => self.world.as_ref().map(World::picture),
-        };
-        picture.map_or(&[], |picture| &picture.ports)
-    }
-
-    /// Puts bytes on a cable inside, towards `to`, as if its other end had said them.
-    pub fn say(
-        &mut self,
-        now: Stamp,
-        (to, profile): (Role, Profile),
-        bytes: &[u8],
-        out: &mut Vec<VoyageOutput>,
-    ) {
-        let ports = self.ports_of(to);
-        if let Some(port) = ports.iter().position(|port| port.profile == profile) {
-            self.deliveries.push_back((to, port, bytes.to_vec()));
-            self.deliver(now, out);
-        }
     }
 }

@@ -4,7 +4,9 @@ use super::*;
 use crate::autopilot::ModeName;
 use crate::command::{FaultKind, Order};
 use alloc::format;
+use alloc::string::String;
 use alloc::vec;
+use alloc::vec::Vec;
 
 /// Runs second by second; `see` is asked after each.
 fn sail(voyage: &mut Voyage, seconds: u64, mut see: impl FnMut(&Voyage, &[VoyageOutput])) {

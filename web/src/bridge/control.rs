@@ -6,7 +6,7 @@
 //! taps again where it tapped confirms nothing.
 
 use crate::deck::Deck;
-use crate::link::steady;
+use crate::steady::steady;
 use crate::{format, top};
 use leptos::prelude::*;
 use wheelover_core::view::{ModeName, ModeRequest, Order, Own};

@@ -1,7 +1,8 @@
 //! The right column: heading, rudder, rate of turn, cross-track distance, speeds, position, drift.
 
 use crate::deck::Deck;
-use crate::reading::{Reading, Readings, state_name};
+use crate::reading::{Reading, state_name};
+use crate::readings::Readings;
 use crate::value::{Badge, Shown, Value, shown};
 use crate::{format, gauge, gauge::Bar, situation};
 use leptos::prelude::*;

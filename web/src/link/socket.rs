@@ -1,8 +1,9 @@
 //! The WebSocket to a server: hello, lines and snapshots down; acknowledgements, resume and commands up. Comes back by itself.
 
 use super::frames::read;
-use super::{Source, receive, steady};
+use super::source::{Source, receive};
 use crate::deck::Deck;
+use crate::steady::steady;
 use js_sys::Reflect;
 use leptos::prelude::*;
 use serde::Serialize;

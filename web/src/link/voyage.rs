@@ -1,7 +1,8 @@
 //! The embedded voyage in the page itself: the same stations, without a server. What is said is what a server would say.
 
-use super::{Source, receive, steady};
+use super::source::{Source, receive};
 use crate::deck::Deck;
+use crate::steady::steady;
 use leptos::prelude::*;
 use std::cell::RefCell;
 use std::collections::VecDeque;

@@ -2,6 +2,7 @@
 
 mod foreign;
 pub mod frame;
+mod markup;
 pub mod scene;
 pub mod shapes;
 mod ship;

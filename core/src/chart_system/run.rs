@@ -1,0 +1,75 @@
+//! The course of the station: bytes and orders in, a burst of sentences each second.
+
+use super::state::ChartSystem;
+use crate::nmea::Sentence;
+use crate::post::{self, Post, Station};
+use crate::station::{Input, Output, PortIndex};
+use crate::talk::SECOND_MS;
+use crate::time::Stamp;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+impl ChartSystem {
+    /// Runs what is due at `now`, then takes the input.
+    pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
+        self.run(now, out);
+        match input {
+            Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
+            Input::Stalled { .. } => {
+                self.post.stalled(now);
+                self.guard.forget();
+                self.followed.stalled(now);
+            }
+            Input::Order { order, .. } => out.push(Output::Answer(self.obey(now, order))),
+            Input::Tick => {}
+        }
+    }
+
+    /// When the next sentences are due, or a silent autopilot is to be noticed.
+    #[must_use]
+    pub fn due(&self) -> Stamp {
+        let next = self.next.unwrap_or(self.now);
+        self.silent_at().map_or(next, |silent| next.min(silent))
+    }
+
+    fn run(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        let mut next = self.next.unwrap_or(now);
+        // Late by more than two periods: the missed sentences are not made up for.
+        if now.since(next) > 2 * SECOND_MS {
+            next = next + now.since(next) / SECOND_MS * SECOND_MS;
+        }
+        while next <= now {
+            self.step(next, out);
+            next = next + SECOND_MS;
+        }
+        self.next = Some(next);
+        self.now = self.now.max(now);
+        self.supervise(now);
+    }
+
+    /// One second: where the ship is, what is indicated, what is said.
+    fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        self.now = now;
+        post::time_out(self, now, out);
+        self.monitor(now);
+        self.watch_over(now);
+        for port in 0..self.post.ports().len() {
+            let profile = self.post.ports()[port].profile;
+            let lines: Vec<String> = self.sentences(now, profile).collect();
+            for line in &lines {
+                self.post.say(now, port, line, out);
+            }
+        }
+    }
+}
+
+impl Station for ChartSystem {
+    fn post(&mut self) -> &mut Post {
+        &mut self.post
+    }
+
+    fn heard(&mut self, now: Stamp, _port: PortIndex, _sentence: &Sentence<'_>) {
+        self.judge_fix(now);
+        self.supervise(now);
+    }
+}

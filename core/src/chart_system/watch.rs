@@ -1,0 +1,70 @@
+//! The alerts of the chart system, and which indications of a turn were given and confirmed (TCS-11).
+
+use crate::alerts::{Alert, Alerts};
+use crate::time::Stamp;
+use serde::{Deserialize, Serialize};
+
+/// What has been indicated and confirmed for the turn that comes or is sailed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct TurnIndications {
+    pub(super) alerts: Alerts,
+    /// Leg at whose end the turn is.
+    pub(super) leg: Option<usize>,
+    pub(super) confirmed: bool,
+    pub(super) wheel_over: Option<Stamp>,
+}
+
+impl TurnIndications {
+    pub(super) const fn alerts(&self) -> &Alerts {
+        &self.alerts
+    }
+
+    pub(super) fn acknowledge(&mut self, now: Stamp, number: u16) -> bool {
+        let course_change = [
+            Alert::CourseChange.number(),
+            Alert::CourseChangeSoon.number(),
+            Alert::WheelOver.number(),
+            Alert::BackupNavigator.number(),
+        ];
+        let taken = self.alerts.acknowledge(now, number);
+        self.confirmed |= taken && course_change.contains(&number);
+        // An event, not a condition that lasts: it is over once it is taken.
+        if number == Alert::AutopilotLeft.number() {
+            self.alerts.rectify(now, Alert::AutopilotLeft);
+        }
+        taken
+    }
+
+    pub(super) fn raise(&mut self, now: Stamp, alert: Alert, text: &str) {
+        self.alerts.raise(now, alert, text);
+    }
+
+    pub(super) fn rectify(&mut self, now: Stamp, alert: Alert) {
+        self.alerts.rectify(now, alert);
+    }
+
+    /// Silences what sounds for 30 s, or lets it sound again at once.
+    pub(super) fn silence(&mut self, now: Stamp, on: bool) {
+        if on {
+            self.alerts.silence(now);
+        } else {
+            self.alerts.sound_again();
+        }
+    }
+
+    /// A later indication takes the place of an earlier one: one alert a situation.
+    pub(super) fn replace(&mut self, now: Stamp, alert: Alert) {
+        self.alerts.acknowledge(now, alert.number());
+        self.alerts.rectify(now, alert);
+    }
+
+    pub(super) fn turn_over(&mut self, now: Stamp) {
+        for alert in [Alert::CourseChange, Alert::CourseChangeSoon] {
+            self.replace(now, alert);
+        }
+        self.alerts.rectify(now, Alert::WheelOver);
+        self.alerts.rectify(now, Alert::BackupNavigator);
+        self.confirmed = false;
+        self.wheel_over = None;
+    }
+}
