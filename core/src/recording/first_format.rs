@@ -4,8 +4,9 @@
 //! file that `--record` wrote; an image from the middle of a voyage is refused.
 
 use super::entry::{Bytes, Entry, Timed};
+use super::form::FORMAT;
 use crate::command::{Answer, Order, Origin};
-use crate::settings::Value as Setting;
+use crate::settings::{self, Kind, Value as Setting};
 use crate::time::Stamp;
 use crate::voyage::{Line, VoyageOutput};
 use alloc::string::{String, ToString};
@@ -109,6 +110,26 @@ fn route(before: &Value) -> Option<Value> {
     }))
 }
 
+/// Settings as they are written today: a switch was the number 0 or 1. Kept settings of that time have no version and are set
+/// aside by the server, so that recordings are the only files that are read so.
+fn settings(before: Option<&Value>) -> Value {
+    let switch = |name: &str| {
+        let kind = settings::definition(name).map(|definition| definition.kind);
+        matches!(kind, Some(Kind::Switch { .. }))
+    };
+    let now = |(name, value): (&String, &Value)| {
+        let value = match value.as_f64() {
+            Some(number) if switch(name) && (number == 0.0 || number == 1.0) => {
+                json!(number == 1.0)
+            }
+            _ => value.clone(),
+        };
+        (name.clone(), value)
+    };
+    let before = before.and_then(Value::as_object);
+    Value::Object(before.into_iter().flatten().map(now).collect())
+}
+
 /// Today's first line, and what stands behind it; nothing where the image is no beginning.
 pub(super) fn beginning(first: &Value) -> Option<(Value, Option<Timed>)> {
     let image = first.pointer("/checkpoint/voyage")?;
@@ -141,7 +162,7 @@ pub(super) fn beginning(first: &Value) -> Option<(Value, Option<Timed>)> {
     let named_ship = ship.is_object() && ship["known"] != false;
     let world = &world["config"];
     let beginning = json!({
-        "recording": super::FORMAT,
+        "recording": FORMAT,
         "program": "",
         "seed": world["seed"].as_u64().unwrap_or_default(),
         "configuration": {
@@ -154,7 +175,7 @@ pub(super) fn beginning(first: &Value) -> Option<(Value, Option<Timed>)> {
             "world": named(world, WORLD),
             "noise": named(&world["noise"], NOISE),
         },
-        "settings": autopilot.get("settings").cloned().unwrap_or_else(|| json!({})),
+        "settings": settings(autopilot.get("settings")),
     });
     // What came out while the pace was set was not written.
     let begun = image["line"] != 0;

@@ -208,8 +208,8 @@ mod tests {
         check("rudder", number(1.0), "no setting is named rudder");
         check(
             "external_tcs",
-            number(0.5),
-            "external_tcs is 0.5, allowed are true and false",
+            number(1.0),
+            "external_tcs is 1, allowed are true and false",
         );
         check(
             "steering_by",

@@ -114,8 +114,6 @@ impl Slot for bool {
     fn put(&mut self, _: &Kind, value: &Value) -> Result<(), String> {
         *self = match value {
             Value::Switch(on) => *on,
-            // Files of earlier versions wrote switches as numbers.
-            Value::Number(number) if *number == 0.0 || *number == 1.0 => *number == 1.0,
             _ => return Err("allowed are true and false".into()),
         };
         Ok(())
