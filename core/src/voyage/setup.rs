@@ -7,9 +7,11 @@ use super::wiring::Voyage;
 use crate::autopilot::Autopilot;
 use crate::autopilot::steering::SteeringSettings;
 use crate::chart_system::{ChartConfig, ChartSystem};
+use crate::facts::ports::believes;
 use crate::route;
 use crate::settings::Settings;
 use crate::station::{ChecksumPolicy, PortIndex, PortSetup, Profile, Role};
+use crate::talk;
 use crate::time::Stamp;
 use crate::units::{Course, Speed};
 use crate::world::{World, WorldConfig};
@@ -36,27 +38,6 @@ pub struct VoyageConfig {
     /// The simulated ship; its ports are made here.
     pub world: WorldConfig,
 }
-
-/// What is cabled inside where both stations run here: who may say it, who hears it.
-const INSIDE: [(Profile, Role, &[Role]); 5] = [
-    (Profile::Ecdis, Role::ChartSystem, &[Role::Autopilot]),
-    (
-        Profile::Gyro1,
-        Role::World,
-        &[Role::Autopilot, Role::ChartSystem],
-    ),
-    (
-        Profile::Gps,
-        Role::World,
-        &[Role::Autopilot, Role::ChartSystem],
-    ),
-    (
-        Profile::Log,
-        Role::World,
-        &[Role::Autopilot, Role::ChartSystem],
-    ),
-    (Profile::Gear, Role::World, &[Role::Autopilot]),
-];
 
 impl VoyageConfig {
     /// The embedded voyage: all stations, no ports (CLI-1).
@@ -150,17 +131,31 @@ impl Voyage {
     }
 }
 
+/// What can be cabled inside, by the table of who says what: of each profile the first of the stations that speak there, and
+/// those that believe something of what it says.
+fn inside() -> impl Iterator<Item = (Profile, Role, Vec<Role>)> {
+    Profile::ALL.into_iter().filter_map(|profile| {
+        let speaks = |role: &Role| !talk::told(*role, profile).is_empty();
+        let source = Role::ALL.into_iter().find(speaks)?;
+        let listens = |role: &Role| {
+            let mut said = talk::told(source, profile).iter();
+            *role != source && said.any(|row| believes(*role, profile, row.formatter()))
+        };
+        let listeners = Role::ALL.into_iter().rev().filter(listens);
+        Some((profile, source, listeners.collect()))
+    })
+}
+
 /// Lays a cable wherever both stations run here and the hearing one has no real port for it.
 fn lay_cables(roles: &[Role], ports: &mut [Vec<PortSetup>; 3]) -> Cables {
     let mut cables = Cables::default();
-    for (profile, source, listeners) in INSIDE {
+    for (profile, source, listeners) in inside() {
         if !roles.contains(&source) {
             continue;
         }
         let has = |ports: &[PortSetup]| ports.iter().any(|port| port.profile == profile);
         let listeners = listeners
-            .iter()
-            .copied()
+            .into_iter()
             .filter(|role| roles.contains(role) && !has(&ports[*role as usize]))
             .collect::<Vec<_>>();
         if listeners.is_empty() {

@@ -3,6 +3,7 @@
 use super::*;
 use crate::autopilot::ModeName;
 use crate::command::{FaultKind, Order};
+use crate::picture::Picture;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec;
@@ -86,4 +87,24 @@ fn the_officer_engages_again_after_a_lost_cable() {
         sail(&mut voyage, 300, |voyage, _| again |= following(voyage));
         assert!(again, "{kind:?}");
     }
+}
+
+/// Who says what and who believes it lays the cables; a recording names ports by their numbers, which follow from it.
+#[test]
+fn a_cable_lies_where_one_station_says_what_another_believes() {
+    let voyage = Voyage::embedded(7);
+    let check = |picture: &Picture, expect: &[&str]| {
+        let names: Vec<&str> = picture
+            .ports
+            .iter()
+            .map(|port| port.name.as_str())
+            .collect();
+        assert_eq!(names, expect, "{:?}", picture.station);
+    };
+    let autopilot = voyage.autopilot().unwrap().picture();
+    check(autopilot, &["ecdis", "gyro1", "gps", "log", "gear"]);
+    let chart = voyage.chart_system().unwrap().picture();
+    check(chart, &["ecdis", "gyro1", "gps", "log"]);
+    let world = voyage.world().unwrap().picture();
+    check(world, &["gyro1", "gps", "log", "gear"]);
 }
