@@ -162,27 +162,25 @@ impl Checker {
             self.collect(at, sentence, usable);
         } else if of_autopilot && usable {
             let clock = self.clock(at);
-            let situation = self.situation();
-            let mut report = Report {
-                at,
-                line: self.line,
-                situation,
-                breaches: out,
-            };
+            let mut report = self.report(at, out);
             self.autopilot.heard(clock, sentence, &mut report);
+        }
+    }
+
+    /// Where breaches of this line are noted.
+    fn report<'a>(&self, at: Option<f64>, breaches: &'a mut Vec<Breach>) -> Report<'a> {
+        Report {
+            at,
+            line: self.line,
+            situation: self.situation(),
+            breaches,
         }
     }
 
     /// SEN-1, SEN-2, SEN-4, SEN-5, SEN-6. False where the sentence may not be used.
     fn frame(&self, at: Option<f64>, sentence: &Sentence<'_>, out: &mut Vec<Breach>) -> bool {
         let faults = sentence.faults();
-        let situation = self.situation();
-        let mut report = Report {
-            at,
-            line: self.line,
-            situation,
-            breaches: out,
-        };
+        let mut report = self.report(at, out);
         for fault in &faults {
             let rule = match fault.kind {
                 FaultKind::TooLong(_) => "SEN-1",

@@ -305,47 +305,33 @@ async fn found(browser: &Browser, script: &str, arguments: Vec<Value>) -> Vec<St
     serde_json::from_value(found).unwrap()
 }
 
+/// Nothing is found wrong by a script of the stage at any size.
+async fn sound_at_each_size(browser: &Browser, what: &str, script: &str, arguments: &[Value]) {
+    let mut faults = Vec::new();
+    for (width, height) in SIZES {
+        resize(browser, (width, height));
+        let wrong = found(browser, script, arguments.to_vec()).await;
+        let named = wrong
+            .iter()
+            .map(|fault| format!("{width}x{height} {what}{fault}"));
+        faults.extend(named);
+    }
+    let count = faults.len();
+    assert!(faults.is_empty(), "{count} faults:\n{}", faults.join("\n"));
+}
+
 #[tokio::test]
 async fn nothing_is_cut_covered_or_moved_in_any_size_font_and_state() {
     let program = Program::start(&["--speed", "60"]);
     let turn = Frames::sail(&program).await;
     let states = states(&turn);
     let browser = staged(&program, &states[1]).await;
-    let mut faults = Vec::new();
-    for (width, height) in SIZES {
-        resize(&browser, (width, height));
-        let look = vec![json!(states), json!(FONTS)];
-        let wrong = found(&browser, "eyes.look", look).await;
-        faults.extend(
-            wrong
-                .iter()
-                .map(|fault| format!("{width}x{height} {fault}")),
-        );
-    }
-    assert!(
-        faults.is_empty(),
-        "{} faults:\n{}",
-        faults.len(),
-        faults.join("\n")
-    );
-
+    let fonts = json!(FONTS);
+    let look = [json!(states), fonts.clone()];
+    sound_at_each_size(&browser, "", "eyes.look", &look).await;
     // AP-25: two and three taps at one point of every button are no order.
-    for (width, height) in SIZES {
-        resize(&browser, (width, height));
-        let tap = vec![states[3].clone(), json!(FONTS)];
-        let wrong = found(&browser, "eyes.tap", tap).await;
-        faults.extend(
-            wrong
-                .iter()
-                .map(|fault| format!("{width}x{height} {fault}")),
-        );
-    }
-    assert!(
-        faults.is_empty(),
-        "{} faults:\n{}",
-        faults.len(),
-        faults.join("\n")
-    );
+    let tap = [states[3].clone(), fonts.clone()];
+    sound_at_each_size(&browser, "", "eyes.tap", &tap).await;
 
     // Without a link the same holds.
     browser.run("stage.silence();").await;
@@ -353,22 +339,8 @@ async fn nothing_is_cut_covered_or_moved_in_any_size_font_and_state() {
     browser
         .until("NO LINK", Duration::from_secs(10), banner)
         .await;
-    for (width, height) in SIZES {
-        resize(&browser, (width, height));
-        let blind = "async (fonts) => fonts.flatMap((font) => { eyes.wear(font); return eyes.faults().map((f) => `${font}: ${f}`); })";
-        let wrong = found(&browser, blind, vec![json!(FONTS)]).await;
-        faults.extend(
-            wrong
-                .iter()
-                .map(|fault| format!("{width}x{height} no link, {fault}")),
-        );
-    }
-    assert!(
-        faults.is_empty(),
-        "{} faults:\n{}",
-        faults.len(),
-        faults.join("\n")
-    );
+    let blind = "async (fonts) => fonts.flatMap((font) => { eyes.wear(font); return eyes.faults().map((f) => `${font}: ${f}`); })";
+    sound_at_each_size(&browser, "no link, ", blind, &[fonts]).await;
     assert_eq!(browser.errors(), [] as [String; 0]);
     browser.close().await;
 }

@@ -45,6 +45,16 @@ async fn sailing(program: &Program) -> (Browser, Page) {
     (browser, Page::open(program.address).await)
 }
 
+/// AP-25: without a link STANDBY is not disabled, and answered at once.
+async fn standby_is_answered(browser: &Browser) {
+    let none = browser.value("no-alerts").await.0;
+    assert!(none.contains("NO LINK"), "{none}");
+    browser.press("standby").await;
+    browser
+        .until("STANDBY was not sent", Duration::from_secs(1), UNSENT)
+        .await;
+}
+
 // FC5, FD5, AP-25.
 #[tokio::test]
 async fn without_a_link_everything_is_dead_and_standby_says_so() {
@@ -69,14 +79,7 @@ async fn without_a_link_everything_is_dead_and_standby_says_so() {
         tokio::time::sleep(Duration::from_millis(200)).await;
         assert_eq!(browser.run(LIT).await, "");
     }
-    let none = browser.value("no-alerts").await.0;
-    assert!(none.contains("NO LINK"), "{none}");
-
-    // AP-25: never disabled, and answered at once.
-    browser.press("standby").await;
-    browser
-        .until("STANDBY was not sent", Duration::from_secs(1), UNSENT)
-        .await;
+    standby_is_answered(&browser).await;
     signal(&program, Signal::SIGCONT);
     browser
         .until(
@@ -128,11 +131,6 @@ async fn a_page_that_begins_without_a_server_says_so() {
     browser.go(&format!("http://{}/", program.address)).await;
     browser.until("NO LINK", LONG, NO_LINK).await;
     assert_eq!(browser.run(LIT).await, "");
-    let none = browser.value("no-alerts").await.0;
-    assert!(none.contains("NO LINK"), "{none}");
-    browser.press("standby").await;
-    browser
-        .until("STANDBY was not sent", Duration::from_secs(1), UNSENT)
-        .await;
+    standby_is_answered(&browser).await;
     browser.close().await;
 }

@@ -77,6 +77,8 @@ const ON_A_LEG: [Spoil; 14] = [
     ("PNEY,001", &[(4, "1.000"), (5, "L")]),
 ];
 
+const NO_CENTRE: Spoil = ("PNEY,002", &[(2, ""), (3, ""), (4, ""), (5, "")]);
+
 const IN_A_TURN: [Spoil; 13] = [
     ("PNEY,001", &[(4, ""), (5, "")]),
     ("XTE", &[(3, ""), (4, "")]),
@@ -93,16 +95,28 @@ const IN_A_TURN: [Spoil; 13] = [
     ("HTC,", &[(8, "")]),
 ];
 
+fn spoils(situation: u8) -> &'static [Spoil] {
+    if situation == 2 {
+        &ON_A_LEG
+    } else {
+        &IN_A_TURN
+    }
+}
+
+/// Sails a spoiled rig beside a sound one: its order never moves, and track control goes on.
+fn unmoved(spoiled: Rig, situation: u8, seconds: f64, what: &str) -> Rig {
+    let (rig, apart, failed) = beside(spoiled, situation, seconds);
+    assert_eq!(failed, None, "{what}: {}", rig.autopilot().why());
+    assert!(apart < 1.5, "{what}: the order moved by {apart}");
+    assert_eq!(rig.mode(), ModeName::AutonavTi, "{what}");
+    rig
+}
+
 // TCS-4, TCS-8, AP-2
 #[test]
 fn what_lasts_is_track_fail_and_moves_nothing_before() {
     for situation in [2, 3, 4] {
-        let spoils: &[Spoil] = if situation == 2 {
-            &ON_A_LEG
-        } else {
-            &IN_A_TURN
-        };
-        for spoiled in spoils {
+        for spoiled in spoils(situation) {
             if situation == 3 && *spoiled == ("HTC,", &[(8, "")]) {
                 continue; // before the arc that is another next leg's course without a turn: seen on the arc
             }
@@ -133,20 +147,12 @@ fn what_lasts_is_track_fail_and_moves_nothing_before() {
 #[test]
 fn a_single_one_changes_nothing() {
     for situation in [2, 3, 4] {
-        let spoils: &[Spoil] = if situation == 2 {
-            &ON_A_LEG
-        } else {
-            &IN_A_TURN
-        };
-        for spoiled in spoils {
+        for spoiled in spoils(situation) {
             let mut rig = at(situation);
             let until = rig.now + 1_000;
             spoil(&mut rig, *spoiled, until);
-            let (rig, apart, failed) = beside(rig, situation, 12.0);
             let what = format!("situation {situation}, {spoiled:?}");
-            assert_eq!(failed, None, "{what}: {}", rig.autopilot().why());
-            assert!(apart < 1.5, "{what}: the order moved by {apart}");
-            assert_eq!(rig.mode(), ModeName::AutonavTi, "{what}");
+            unmoved(rig, situation, 12.0, &what);
         }
     }
 }
@@ -165,10 +171,8 @@ fn a_single_position_of_the_chart_system_far_off_changes_nothing() {
                 let lat: f64 = line.split(',').nth(1)?.parse().ok()?;
                 Some(edited(line, &[(1, &format!("{:09.4}", lat + minutes))]))
             });
-            let (rig, apart, failed) = beside(rig, situation, 12.0);
             let what = format!("situation {situation}, {minutes} minutes");
-            assert_eq!(failed, None, "{what}: {}", rig.autopilot().why());
-            assert!(apart < 1.5, "{what}: the order moved by {apart}");
+            unmoved(rig, situation, 12.0, &what);
         }
     }
 }
@@ -177,14 +181,8 @@ fn a_single_position_of_the_chart_system_far_off_changes_nothing() {
 #[test]
 fn a_turn_whose_centre_is_left_out_is_a_caution() {
     let mut rig = at(4);
-    spoil(
-        &mut rig,
-        ("PNEY,002", &[(2, ""), (3, ""), (4, ""), (5, "")]),
-        Stamp(u64::MAX),
-    );
-    let (rig, apart, failed) = beside(rig, 4, 8.0);
-    assert_eq!(failed, None);
-    assert!(apart < 1.5, "the order moved by {apart}");
+    spoil(&mut rig, NO_CENTRE, Stamp(u64::MAX));
+    let rig = unmoved(rig, 4, 8.0, "no centre");
     let text = rig.text(Alert::TrackDataRefused);
     assert!(text.contains("PNEY,002 has no centre"), "{text}");
 }
@@ -193,14 +191,7 @@ fn a_turn_whose_centre_is_left_out_is_a_caution() {
 #[test]
 fn a_radius_whose_centre_never_comes_is_track_fail_and_the_turn_is_made() {
     let mut rig = at(2);
-    rig.filter(|_, from, line| {
-        let hit = from == Profile::Ecdis && line.contains("PNEY,002");
-        Some(if hit {
-            edited(line, &[(2, ""), (3, ""), (4, ""), (5, "")])
-        } else {
-            line.to_string()
-        })
-    });
+    spoil(&mut rig, NO_CENTRE, Stamp(u64::MAX));
     rig.until("the wheel-over line", 900.0, |rig| {
         rig.chart().situation() == 3
     });

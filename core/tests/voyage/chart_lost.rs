@@ -45,6 +45,21 @@ fn lose(rig: &mut Rig, formatter: &'static str, damage: Damage) -> Times {
     }
 }
 
+/// The same, and the alarm comes in its time.
+fn fail(rig: &mut Rig, formatter: &'static str, what: &str, damage: Damage) {
+    let alarm = lose(rig, formatter, damage).alarm;
+    assert!((5.0..=5.2).contains(&alarm), "{formatter} {what} {alarm}");
+}
+
+/// The same from the beginning; the alarm names the sentence.
+fn fail_by_name(formatter: &'static str, damage: Damage) {
+    let mut rig = Rig::tracking();
+    fail(&mut rig, formatter, "", damage);
+    let text = rig.text(Alert::TrackFail);
+    assert!(text.contains(formatter), "{text}");
+    rig.check_orders();
+}
+
 fn nothing(_: &str) -> Option<String> {
     None
 }
@@ -188,19 +203,10 @@ fn each_sentence_alone_missing_is_named() {
 #[test]
 fn each_sentence_alone_with_a_wrong_checksum_is_missing() {
     for formatter in ["HTC", "XTE", "PNEY,001", "PNEY,002"] {
-        let mut rig = Rig::tracking();
-        let times = lose(&mut rig, formatter, |line| {
+        fail_by_name(formatter, |line| {
             let wrong = if line.ends_with('0') { '1' } else { '0' };
             Some(format!("{}{wrong}", &line[..line.len() - 1]))
         });
-        assert!(
-            (5.0..=5.2).contains(&times.alarm),
-            "{formatter} {}",
-            times.alarm
-        );
-        let text = rig.text(Alert::TrackFail);
-        assert!(text.contains(formatter), "{text}");
-        rig.check_orders();
     }
 }
 
@@ -214,16 +220,7 @@ fn each_sentence_alone_malformed_is_missing() {
         ("PNEY,002", |line| Some(edited(line, &[(2, "9999.000")]))),
     ];
     for (formatter, damage) in malformed {
-        let mut rig = Rig::tracking();
-        let times = lose(&mut rig, formatter, damage);
-        assert!(
-            (5.0..=5.2).contains(&times.alarm),
-            "{formatter} {}",
-            times.alarm
-        );
-        let text = rig.text(Alert::TrackFail);
-        assert!(text.contains(formatter), "{text}");
-        rig.check_orders();
+        fail_by_name(formatter, damage);
     }
 }
 
@@ -254,12 +251,7 @@ fn a_distance_that_says_it_is_not_valid_is_never_used() {
         let mut rig = Rig::tracking();
         rig.run(30.0);
         let before = rig.heading().deg();
-        let times = lose(&mut rig, formatter, lie);
-        assert!(
-            (5.0..=5.2).contains(&times.alarm),
-            "{formatter} {name} {}",
-            times.alarm
-        );
+        fail(&mut rig, formatter, name, lie);
         let turned = rig.heading().deg() - before;
         assert!(turned.abs() < 3.0, "{formatter} {name}: turned {turned}");
         assert_eq!(rig.mode(), ModeName::Auto);
