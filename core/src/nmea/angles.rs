@@ -2,7 +2,7 @@
 
 use super::decimal::{Decimal, POW10};
 use super::fault::{Fault, FaultKind};
-use super::read::{fault, side};
+use super::read::{fault, side, which_side};
 use super::scan::{Field, last};
 use super::table::Sides;
 use super::value::Value;
@@ -22,6 +22,7 @@ fn angle<const DIGITS: usize, const LIMIT: u64>(head: &[u8], length: usize) -> O
 }
 
 /// As [`angle`], for any form.
+#[cold]
 #[inline(never)]
 fn long_angle(head: &[u8], length: usize, digits: usize, limit: u64) -> Option<Decimal> {
     let angle = Decimal::parse_apart(head, length)?;
@@ -72,40 +73,65 @@ const EW: Sides = Sides {
     positive: b'E',
 };
 
-/// A latitude of two digits of degrees or a longitude of three, and its side.
+/// A latitude of two digits of degrees or a longitude of three.
+#[cold]
 #[inline(never)]
 fn half(
+    head: &[u8],
+    length: usize,
+    degrees: u8,
+    n: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<Decimal> {
+    let value = match degrees {
+        2 => angle::<4, 9_000>(head, length),
+        _ => angle::<5, 18_000>(head, length),
+    };
+    if value.is_none() {
+        wrong_angle(head, length, degrees, n, faults);
+    }
+    value
+}
+
+/// The same and its side.
+#[inline(always)]
+fn half_and_side(
     field: Field<'_>,
     letter: Field<'_>,
     degrees: u8,
     n: usize,
     faults: &mut Vec<Fault>,
 ) -> Option<Decimal> {
-    let value = match degrees {
-        2 => angle::<4, 9_000>(field.head, field.length),
-        _ => angle::<5, 18_000>(field.head, field.length),
-    };
-    if value.is_none() {
-        wrong_angle(field.head, field.length, degrees, n, faults);
-    }
+    let value = half(field.head, field.length, degrees, n, faults);
     let sides = if degrees == 2 { NS } else { EW };
     let negative = side(letter, sides, n + 1, faults);
     Some(value?.with_negative(negative?))
 }
 
+/// The usual form of a latitude or a longitude: digits, a point, digits, and a side.
 #[inline(always)]
-pub(super) fn position<'a>(
-    field: Field<'a>,
-    rest: [Field<'a>; 3],
-    n: usize,
-    faults: &mut Vec<Fault>,
-) -> Value<'a> {
-    let [north, longitude, east] = rest;
-    if field.is_empty() && rest.iter().all(|field| field.is_empty()) {
+fn usual<const DIGITS: usize, const LIMIT: u64>(
+    field: Field<'_>,
+    letter: Field<'_>,
+    sides: Sides,
+) -> Option<Decimal> {
+    let value = Decimal::parse_clock::<DIGITS>(field.head, field.length, LIMIT, MINUTES)?;
+    Some(value.with_negative(which_side(letter, sides)?))
+}
+
+#[inline(always)]
+pub(super) fn position<'a>(fields: [Field<'a>; 4], n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
+    let [latitude, north, longitude, east] = fields;
+    if let Some(latitude) = usual::<4, 9_000>(latitude, north, NS)
+        && let Some(longitude) = usual::<5, 18_000>(longitude, east, EW)
+    {
+        return Value::Position(latitude, longitude);
+    }
+    if fields.iter().all(|field| field.is_empty()) {
         return Value::Null;
     }
-    let latitude = half(field, north, 2, n, faults);
-    let longitude = half(longitude, east, 3, n + 2, faults);
+    let latitude = half_and_side(latitude, north, 2, n, faults);
+    let longitude = half_and_side(longitude, east, 3, n + 2, faults);
     match (latitude, longitude) {
         (Some(latitude), Some(longitude)) => Value::Position(latitude, longitude),
         _ => Value::Invalid,
@@ -123,7 +149,7 @@ pub(super) fn single_angle<'a>(
     if field.is_empty() && letter.is_empty() {
         return Value::Null;
     }
-    half(field, letter, degrees, n, faults).map_or(Value::Invalid, Value::Angle)
+    half_and_side(field, letter, degrees, n, faults).map_or(Value::Invalid, Value::Angle)
 }
 
 #[inline(always)]
@@ -135,6 +161,7 @@ pub(super) fn time(head: &[u8], length: usize) -> Option<Decimal> {
 }
 
 /// As [`time`], for any form.
+#[cold]
 #[inline(never)]
 fn long_time(head: &[u8], length: usize) -> Option<Decimal> {
     let time = Decimal::parse_apart(head, length)?;

@@ -198,12 +198,16 @@ impl<'a> Sentence<'a> {
                     value,
                 });
             }
-            match &definition.group {
-                Some(group) if entry < entries && !in_tail => {
-                    (members, entry) = (group.members, entry + 1);
-                }
-                Some(_) if !in_tail => (members, entry, in_tail) = (definition.tail, 0, true),
-                _ => break,
+            let Some(group) = &definition.group else {
+                break;
+            };
+            if in_tail {
+                break;
+            }
+            if entry < entries {
+                (members, entry) = (group.members, entry + 1);
+            } else {
+                (members, entry, in_tail) = (definition.tail, 0, true);
             }
         }
         if faults.len() > before {

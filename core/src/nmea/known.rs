@@ -42,13 +42,13 @@ pub(crate) fn identify<'a, K: Known>(fields: &FieldList<'a>) -> Identity<'a> {
     {
         (known.formatter, Some(known))
     } else {
-        identify_other::<K>(fields)
+        identify_other::<K>(*fields)
     }
 }
 
 /// Proprietary sentences, queries, and what is unknown.
 #[inline(never)]
-fn identify_other<'a, K: Known>(fields: &FieldList<'a>) -> Identity<'a> {
+fn identify_other<'a, K: Known>(fields: FieldList<'a>) -> Identity<'a> {
     let address = text_of(fields.address());
     if address.len() > 1 && address.starts_with('P') {
         // `PNEY,001` and its like stand in the dictionary with their sub-address.

@@ -38,11 +38,11 @@ pub(crate) fn read_here<'a>(
             let value = sided(field, fields.part(), format, *sides, n, faults);
             lettered(value, fields.part(), *letter, n + 2, faults)
         }
-        Kind::Integer(format) => match number(field, format, n, faults) {
-            Value::Number(number) if number.scale() != 0 => {
-                fault(faults, n, FaultKind::NotAnInteger)
-            }
-            value => value,
+        Kind::Integer(_) if field.is_empty() => Value::Null,
+        Kind::Integer(format) => match number_apart(field.head, field.length, format, n, faults) {
+            Some(number) if number.scale() != 0 => fault(faults, n, FaultKind::NotAnInteger),
+            Some(number) => Value::Number(number),
+            None => Value::Invalid,
         },
         Kind::Code(letters) => match field.letter() {
             Some(letter) if letters.contains(&letter) => Value::Code(letter),
@@ -51,7 +51,7 @@ pub(crate) fn read_here<'a>(
         },
         Kind::Position(_) => {
             let rest = [fields.part(), fields.part(), fields.part()];
-            position(field, rest, n, faults)
+            position([field, rest[0], rest[1], rest[2]], n, faults)
         }
         Kind::Time => match time(field.head, field.length) {
             Some(time) => Value::Time(time),
@@ -61,19 +61,19 @@ pub(crate) fn read_here<'a>(
             Some(date) => Value::Date(date),
             None => null_or_fault(field, n, faults, FaultKind::BadDate),
         },
-        Kind::Letters(letters, most) => {
-            checked(field, n, faults, |text| wrong_letters(text, letters, *most))
+        Kind::Letters(..) | Kind::Words(_) | Kind::Text(_) | Kind::Payload | Kind::Any => {
+            match field.text() {
+                [] => Value::Null,
+                text if stands(kind, text, n, faults) => Value::Text(text),
+                _ => Value::Invalid,
+            }
         }
-        Kind::Words(words) => checked(field, n, faults, |text| unknown_word(text, words)),
-        Kind::Text(limit) => checked(field, n, faults, |text| wrong_text(text, *limit)),
         Kind::Angle { degrees, .. } => single_angle(field, fields.part(), *degrees, n, faults),
         Kind::Hex(_) if field.is_empty() => Value::Null,
         Kind::Hex(_) => match hex(field.text()) {
             Some(number) => Value::Number(number),
             None => fault(faults, n, FaultKind::BadHex),
         },
-        Kind::Payload => checked(field, n, faults, wrong_payload),
-        Kind::Any => checked(field, n, faults, |_| None),
     })
 }
 
@@ -102,15 +102,16 @@ fn number<'a>(field: Field<'a>, format: &Format, n: usize, faults: &mut Vec<Faul
     if field.is_empty() {
         return Value::Null;
     }
-    match long_number(field.head, field.length, format, n, faults) {
+    match number_apart(field.head, field.length, format, n, faults) {
         Some(number) => Value::Number(number),
         None => Value::Invalid,
     }
 }
 
-/// Numbers of more than eight characters or of a strange form.
+/// Numbers of more than eight characters or of a strange form, and whole ones.
+#[cold]
 #[inline(never)]
-fn long_number(
+fn number_apart(
     head: &[u8],
     length: usize,
     format: &Format,
@@ -155,11 +156,15 @@ fn lettered<'a>(
     n: usize,
     faults: &mut Vec<Fault>,
 ) -> Value<'a> {
-    if field.letter() == Some(letter) || field.is_empty() {
-        return value;
+    let right = field.letter() == Some(letter) || field.is_empty();
+    if !right {
+        note(faults, n, FaultKind::WrongLetter(letter));
     }
-    let invalid = fault(faults, n, FaultKind::WrongLetter(letter));
-    if value.is_null() { value } else { invalid }
+    match value {
+        Value::Number(number) if right => Value::Number(number),
+        Value::Null => Value::Null,
+        _ => Value::Invalid,
+    }
 }
 
 /// Whether the side is the negative one; none where it is missing or unknown.
@@ -170,27 +175,32 @@ pub(super) fn side(
     n: usize,
     faults: &mut Vec<Fault>,
 ) -> Option<bool> {
-    if let Some(letter) = field.letter() {
-        // Without a branch, as it cannot be foreseen which side it is.
-        let other = letter ^ sides.positive;
-        let negative = other != 0;
-        if other == (sides.positive ^ sides.negative) & 0u8.wrapping_sub(u8::from(negative)) {
-            return Some(negative);
-        }
+    let negative = which_side(field, sides);
+    if negative.is_none() {
+        wrong_side(field.is_empty(), n, faults);
     }
-    wrong_side(field, n, faults);
-    None
+    negative
+}
+
+/// As [`side`], and nothing is said.
+#[inline(always)]
+pub(super) fn which_side(field: Field<'_>, sides: Sides) -> Option<bool> {
+    // Without a branch, as it cannot be foreseen which side it is.
+    let other = field.letter()? ^ sides.positive;
+    let negative = other != 0;
+    let right = other == (sides.positive ^ sides.negative) & 0u8.wrapping_sub(u8::from(negative));
+    right.then_some(negative)
 }
 
 #[cold]
 #[inline(never)]
-fn wrong_side(field: Field<'_>, n: usize, faults: &mut Vec<Fault>) {
-    let kind = if field.is_empty() {
+fn wrong_side(empty: bool, n: usize, faults: &mut Vec<Fault>) {
+    let kind = if empty {
         FaultKind::MissingPart
     } else {
         FaultKind::UnknownCode
     };
-    fault(faults, n, kind);
+    note(faults, n, kind);
 }
 
 #[inline(always)]
@@ -217,25 +227,23 @@ fn sided<'a>(
     }
 }
 
-/// What the checks below say of a field that is not empty.
-#[inline(always)]
-fn checked<'a>(
-    field: Field<'a>,
-    n: usize,
-    faults: &mut Vec<Fault>,
-    wrong: impl FnOnce(&[u8]) -> Option<FaultKind>,
-) -> Value<'a> {
-    match field.text() {
-        [] => Value::Null,
-        text => match wrong(text) {
-            None => Value::Text(text),
-            Some(kind) => fault(faults, n, kind),
-        },
+/// Whether what is written in letters is what may stand there; says what is wrong.
+#[inline(never)]
+fn stands(kind: &Kind, text: &[u8], n: usize, faults: &mut Vec<Fault>) -> bool {
+    let wrong = match kind {
+        Kind::Letters(letters, most) => wrong_letters(text, letters, *most),
+        Kind::Words(words) => unknown_word(text, words),
+        Kind::Text(limit) => wrong_text(text, *limit),
+        Kind::Payload => wrong_payload(text),
+        _ => None,
+    };
+    if let Some(kind) = wrong {
+        note(faults, n, kind);
     }
+    wrong.is_none()
 }
 
 /// What is wrong with a text.
-#[inline(never)]
 fn wrong_text(field: &[u8], limit: u8) -> Option<FaultKind> {
     let mut i = 0;
     let mut length = 0usize;
@@ -254,14 +262,12 @@ fn wrong_text(field: &[u8], limit: u8) -> Option<FaultKind> {
 }
 
 /// Whether a code of several characters is none of the field's.
-#[inline(never)]
 fn unknown_word(field: &[u8], words: &[&str]) -> Option<FaultKind> {
     let known = words.iter().any(|word| word.as_bytes() == field);
     (!known).then_some(FaultKind::UnknownCode)
 }
 
 /// What is wrong with letters that each have a meaning.
-#[inline(never)]
 fn wrong_letters(field: &[u8], letters: &[u8], most: u8) -> Option<FaultKind> {
     if !field.iter().all(|letter| letters.contains(letter)) {
         return Some(FaultKind::UnknownCode);
@@ -282,7 +288,6 @@ fn hex(field: &[u8]) -> Option<Decimal> {
 }
 
 /// What is wrong with six-bit characters.
-#[inline(never)]
 fn wrong_payload(field: &[u8]) -> Option<FaultKind> {
     let right = field
         .iter()

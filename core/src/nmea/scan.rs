@@ -16,50 +16,26 @@ pub struct FieldList<'a> {
 impl<'a> FieldList<'a> {
     /// The fields of `body`, the characters between `$` and `*`, and its exclusive-or.
     ///
-    /// Sixteen bytes at a time; bytes after [`MAX_FIELDS`] separators belong to the last field.
+    /// Eight bytes at a time; bytes after [`MAX_FIELDS`] separators belong to the last field.
     #[inline(always)]
     pub(crate) fn scan(body: &'a [u8]) -> (Self, u8) {
-        let mut separators = [0; 4];
-        let mut xor = 0;
-        for (bits, part) in separators.iter_mut().zip(body.chunks(64)) {
-            let (chunks, rest) = part.as_chunks::<16>();
-            let mut others = 0;
-            let mut at = 0;
-            for chunk in chunks {
-                let (low, high) = halves(chunk);
-                xor ^= low ^ high;
-                others |= (others_of(low) | others_of(high) << 8) << at;
-                at += 16;
-            }
-            if !rest.is_empty() {
-                let (low, high) = last_bytes(body, rest.len());
-                xor ^= low ^ high;
-                others |= (others_of(low) | others_of(high) << 8) << (at & 63);
-            }
-            *bits = !others & u64::MAX >> ((64 - part.len()) & 63);
-        }
-        separators[(body.len() / 64) & 3] |= 1 << (body.len() & 63);
-        let mut list = Self { body, separators };
-        if body.len() > MAX_FIELDS {
-            list.limit();
-        }
+        // The words are values until the list is made: one that was written alone and is read with another has to be waited for.
+        let (first, mut xor) = block(body, 0);
+        let separators = if body.len() < 64 {
+            [first | 1 << body.len(), 0, 0, 0]
+        } else if body.len() <= MAX_FIELDS {
+            let (second, sum) = block_apart(body, 64);
+            xor ^= sum;
+            [first, second | 1 << (body.len() & 63), 0, 0]
+        } else {
+            let (rest, sum) = further(body, first);
+            xor ^= sum;
+            rest
+        };
         xor ^= xor >> 32;
         xor ^= xor >> 16;
         xor ^= xor >> 8;
-        (list, xor as u8)
-    }
-
-    /// Forgets the separators after [`MAX_FIELDS`].
-    #[inline(never)]
-    fn limit(&mut self) {
-        let mut room = MAX_FIELDS;
-        for word in &mut self.separators {
-            while word.count_ones() as usize > room {
-                *word &= !(1 << (63 - word.leading_zeros()));
-            }
-            room -= word.count_ones() as usize;
-        }
-        self.separators[(self.body.len() / 64) & 3] |= 1 << (self.body.len() & 63);
+        (Self { body, separators }, xor as u8)
     }
 
     /// How many fields there are.
@@ -170,7 +146,7 @@ impl<'a> Cursor<'_, 'a> {
         self.bits &= self.bits - 1;
         let length = end.wrapping_sub(self.start);
         self.start = end + 1;
-        let head = self.body.get(..end)?;
+        let head = self.body.get(..end).unwrap_or(self.body);
         Some(Field { head, length })
     }
     /// The next field as a part of a member; empty behind the last.
@@ -221,36 +197,67 @@ pub(crate) fn last(head: &[u8], length: usize) -> &[u8] {
     head.get(head.len().wrapping_sub(length)..).unwrap_or(&[])
 }
 
-/// Two words of sixteen bytes, the first byte in the lowest of the first.
+/// One bit a byte that is a comma of up to 64 bytes from `start` on, and the exclusive-or of their words.
 #[inline(always)]
-fn halves(chunk: &[u8; 16]) -> (u64, u64) {
-    let both = u128::from_le_bytes(*chunk);
-    (both as u64, (both >> 64) as u64)
+fn block(body: &[u8], start: usize) -> (u64, u64) {
+    let block = &body[start..];
+    let (words, rest) = block[..block.len().min(64)].as_chunks::<8>();
+    let (mut others, mut xor, mut count) = (u64::MAX, 0, words.len());
+    for word in words {
+        let word = u64::from_le_bytes(*word);
+        xor ^= word;
+        others = others << 8 | others_of(word);
+    }
+    if !rest.is_empty() {
+        let word = last_bytes(body, rest.len());
+        xor ^= word;
+        others = others << 8 | others_of(word);
+        count += 1;
+    }
+    // The first word came in first and stands on top.
+    let commas = (!others << ((64 - count * 8) & 63)).swap_bytes();
+    (commas, xor)
 }
 
-/// The last `length` bytes (1 to 15) of `body`, as [`halves`]; zeros behind them.
+/// As [`block`], in one copy.
+#[inline(never)]
+fn block_apart(body: &[u8], start: usize) -> (u64, u64) {
+    block(body, start)
+}
+
+/// The separators of a body of more than [`MAX_FIELDS`] bytes, whose first word is known, and the exclusive-or of the words behind.
+#[cold]
+#[inline(never)]
+fn further(body: &[u8], first: u64) -> ([u64; 4], u64) {
+    let mut separators = [first, 0, 0, 0];
+    let mut xor = 0;
+    for (n, bits) in separators.iter_mut().enumerate().skip(1) {
+        if n * 64 < body.len() {
+            let (commas, sum) = block_apart(body, n * 64);
+            *bits = commas;
+            xor ^= sum;
+        }
+    }
+    let mut room = MAX_FIELDS;
+    for word in &mut separators {
+        while word.count_ones() as usize > room {
+            *word &= !(1 << (63 - word.leading_zeros()));
+        }
+        room -= word.count_ones() as usize;
+    }
+    separators[(body.len() / 64) & 3] |= 1 << (body.len() & 63);
+    (separators, xor)
+}
+
+/// The last `length` bytes (1 to 7) of `body`, the first in the lowest; zeros behind them.
 #[inline(always)]
-fn last_bytes(body: &[u8], length: usize) -> (u64, u64) {
-    let (first, second) = match length {
-        0..=8 => (body.last_chunk::<8>(), None),
-        _ => (
-            body[body.len() - length..].first_chunk::<8>(),
-            body.last_chunk::<8>(),
-        ),
-    };
-    match (first, second) {
-        (Some(first), None) => (u64::from_le_bytes(*first) >> (((8 - length) * 8) & 63), 0),
-        (Some(first), Some(second)) => (
-            u64::from_le_bytes(*first),
-            u64::from_le_bytes(*second) >> (((16 - length) * 8) & 63),
-        ),
-        // A body of less than eight bytes.
-        _ => (
-            body.iter()
-                .rev()
-                .fold(0, |word, &b| word << 8 | u64::from(b)),
-            0,
-        ),
+fn last_bytes(body: &[u8], length: usize) -> u64 {
+    match body.last_chunk::<8>() {
+        Some(last) => u64::from_le_bytes(*last) >> (((8 - length) * 8) & 63),
+        None => body
+            .iter()
+            .rev()
+            .fold(0, |word, &b| word << 8 | u64::from(b)),
     }
 }
 
