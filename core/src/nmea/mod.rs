@@ -38,6 +38,7 @@
 
 pub mod ais;
 mod angles;
+mod armour;
 mod assemble;
 mod checksum;
 mod codes;

@@ -1,6 +1,7 @@
 //! Reads one member from its raw fields: the value, and the faults found on the way (SEN-4, SEN-6).
 
 use super::angles::{date, position, single_angle, time};
+use super::armour::is_armour;
 use super::decimal::Decimal;
 use super::fault::{Fault, FaultKind};
 use super::scan::{Cursor, Field};
@@ -39,6 +40,12 @@ pub(crate) fn read_here<'a>(
             lettered(value, fields.part(), *letter, n + 2, faults)
         }
         Kind::Integer(_) if field.is_empty() => Value::Null,
+        Kind::Integer(format)
+            if let Some(number) = Decimal::whole_only(field.head, field.length)
+                && number.within(format.low, format.high) =>
+        {
+            Value::Number(number)
+        }
         Kind::Integer(format) => match number_apart(field.head, field.length, format, n, faults) {
             Some(number) if number.scale() != 0 => fault(faults, n, FaultKind::NotAnInteger),
             Some(number) => Value::Number(number),
@@ -108,7 +115,7 @@ fn number<'a>(field: Field<'a>, format: &Format, n: usize, faults: &mut Vec<Faul
     }
 }
 
-/// Numbers of more than eight characters or of a strange form, and whole ones.
+/// Numbers of more than eight characters or of a strange form.
 #[cold]
 #[inline(never)]
 fn number_apart(
@@ -234,7 +241,7 @@ fn stands(kind: &Kind, text: &[u8], n: usize, faults: &mut Vec<Fault>) -> bool {
         Kind::Letters(letters, most) => wrong_letters(text, letters, *most),
         Kind::Words(words) => unknown_word(text, words),
         Kind::Text(limit) => wrong_text(text, *limit),
-        Kind::Payload => wrong_payload(text),
+        Kind::Payload => (!is_armour(text)).then_some(FaultKind::BadPayload),
         _ => None,
     };
     if let Some(kind) = wrong {
@@ -285,12 +292,4 @@ fn hex(field: &[u8]) -> Option<Decimal> {
         }
     }
     Some(Decimal::new(false, number, 0, field.len() as u8))
-}
-
-/// What is wrong with six-bit characters.
-fn wrong_payload(field: &[u8]) -> Option<FaultKind> {
-    let right = field
-        .iter()
-        .all(|byte| matches!(byte, 0x30..=0x57 | 0x60..=0x77));
-    (!right).then_some(FaultKind::BadPayload)
 }

@@ -1,5 +1,6 @@
 //! Six-bit characters and the bits in them.
 
+use crate::nmea::armour::{ONES, TOPS, at_least, foreign, six};
 use alloc::string::String;
 
 /// Bytes of the buffer; the last ones stay zero, so that eight may be read from where the last field begins.
@@ -47,29 +48,29 @@ impl Bits {
     pub(super) fn fill(&mut self, payload: &[u8]) -> Option<NoArmour> {
         let room = &payload[..payload.len().min(Self::MOST / 6)];
         let (eights, rest) = room.as_chunks::<8>();
-        let mut right = true;
+        let mut wrong = 0;
         // Eight characters are six bytes; the two zeros behind them are overwritten by the next ones.
         for (n, eight) in eights.iter().enumerate() {
-            right &= self.put_eight(n, u64::from_be_bytes(*eight));
+            wrong |= self.put_eight(n, u64::from_be_bytes(*eight));
         }
         if !rest.is_empty() {
-            right &= self.put_eight(eights.len(), filled_up(room, rest.len()));
+            wrong |= self.put_eight(eights.len(), filled_up(room, rest.len()));
         }
-        if !right {
+        if wrong != 0 {
             return self.up_to_fault(room);
         }
         self.length = room.len() * 6;
         None
     }
 
-    /// The eight characters with index `n`; says whether they are armour.
+    /// The eight characters with index `n`; not 0 where one of them is no armour.
     #[inline(always)]
-    fn put_eight(&mut self, n: usize, raw: u64) -> bool {
-        let (packed, right) = pack(raw);
+    fn put_eight(&mut self, n: usize, raw: u64) -> u64 {
+        let (packed, wrong) = pack(raw);
         if let Some(place) = self.bytes.get_mut(n * 6..n * 6 + 8) {
             place.copy_from_slice(&(packed << 16).to_be_bytes());
         }
-        right
+        wrong
     }
 
     #[cold]
@@ -115,8 +116,14 @@ impl Bits {
     /// At least 57 bits from bit `at` on, the first one on top; zeros stand behind the end.
     #[inline(always)]
     pub(super) fn window(&self, at: usize) -> u64 {
-        match self.bytes.get(at / 8..).and_then(<[u8]>::first_chunk) {
-            Some(bytes) => u64::from_be_bytes(*bytes) << (at % 8),
+        self.word(at / 8) << (at % 8)
+    }
+
+    /// The 64 bits from that byte on.
+    #[inline(always)]
+    pub(super) fn word(&self, byte: usize) -> u64 {
+        match self.bytes.get(byte..).and_then(<[u8]>::first_chunk) {
+            Some(bytes) => u64::from_be_bytes(*bytes),
             None => 0,
         }
     }
@@ -166,36 +173,19 @@ fn filled_up(characters: &[u8], length: usize) -> u64 {
     raw << ((64 - length * 8) & 63) | ZEROS >> ((length * 8) & 63)
 }
 
-const ONES: u64 = 0x0101_0101_0101_0101;
 /// Eight characters of the value 0.
 const ZEROS: u64 = b'0' as u64 * ONES;
 
-/// The value of an armoured character.
-const fn six(byte: u8) -> Option<u8> {
-    match byte {
-        0x30..=0x57 => Some(byte - 48),
-        0x60..=0x77 => Some(byte - 56),
-        _ => None,
-    }
-}
-
-/// Eight characters at once, the first one on top, in 48 bits; whether all of them are armour.
+/// Eight characters at once, the first one on top, in 48 bits; not 0 where one of them is no armour.
 #[inline(always)]
-const fn pack(raw: u64) -> (u64, bool) {
-    const TOP: u64 = 0x80 * ONES;
-    // The top bit of each byte says whether it is at least so much; all bytes are below 128.
-    const fn at_least(raw: u64, least: u64) -> u64 {
-        (raw | TOP).wrapping_sub(least * ONES) & TOP
-    }
-    let low = at_least(raw, 0x30) & !at_least(raw, 0x58);
-    let high = at_least(raw, 0x60) & !at_least(raw, 0x78);
-    let right = raw & TOP == 0 && low | high == TOP;
+const fn pack(raw: u64) -> (u64, u64) {
     // High ones are 8 further on.
+    let high = at_least(raw, 0x60) & TOPS;
     let six = raw.wrapping_sub(ZEROS).wrapping_sub(high >> 4);
     let pairs = (six & 0x003F_003F_003F_003F) | (six & 0x3F00_3F00_3F00_3F00) >> 2;
     let fours = (pairs & 0x0000_0FFF_0000_0FFF) | (pairs & 0x0FFF_0000_0FFF_0000) >> 4;
     let packed = (fours & 0xFF_FFFF) | (fours & 0x00FF_FFFF_0000_0000) >> 8;
-    (packed, right)
+    (packed, foreign(raw))
 }
 
 #[cfg(test)]

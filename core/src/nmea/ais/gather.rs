@@ -196,7 +196,12 @@ impl Gathered<'_> {
     ) {
         let (payload, fill_bits) = self.payload();
         match self {
-            Self::Radio { .. } => sink(&RadioMessage::decode(payload, fill_bits)),
+            Self::Radio { .. } => {
+                // Read where it stands: a whole one that is moved has to be waited for.
+                let mut message = RadioMessage::new(payload, fill_bits);
+                message.take();
+                sink(&message);
+            }
             Self::ToSend { number, .. } => {
                 sink(&RadioMessage::contents(*number, payload, fill_bits));
             }

@@ -48,9 +48,15 @@ impl<'p> RadioMessage<'p> {
     #[inline]
     pub fn decode(payload: &'p [u8], fill_bits: u32) -> Self {
         let mut message = Self::new(payload, fill_bits);
-        message.take_bits();
-        message.take_type();
+        message.take();
         message
+    }
+
+    /// Reads what it was made of.
+    #[inline(always)]
+    pub(super) fn take(&mut self) {
+        self.take_bits();
+        self.take_type();
     }
 
     /// Finds the table of its type.
@@ -102,7 +108,7 @@ impl<'p> RadioMessage<'p> {
 
     // It is made in its place: a whole one is not moved.
     #[inline(always)]
-    const fn new(payload: &'p [u8], fill_bits: u32) -> Self {
+    pub(super) const fn new(payload: &'p [u8], fill_bits: u32) -> Self {
         Self {
             payload,
             fill_bits,

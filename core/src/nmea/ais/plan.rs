@@ -46,7 +46,9 @@ enum Op {
 #[derive(Clone, Copy)]
 struct Step {
     field: &'static Field,
-    at: u16,
+    /// Where its bits begin: the byte, and the bit in it.
+    byte: u16,
+    bit: u8,
     /// How far its bits are from the end of a word of 64.
     shift: u8,
     op: Op,
@@ -58,6 +60,18 @@ struct Step {
     span: u32,
     /// What is added to the coded value; of a code the value that means "not available".
     more: i32,
+}
+
+impl Step {
+    /// Where its bits begin.
+    const fn at(&self) -> usize {
+        self.byte as usize * 8 + self.bit as usize
+    }
+    const fn placed(mut self, at: usize) -> Self {
+        self.byte = (at / 8) as u16;
+        self.bit = (at % 8) as u8;
+        self
+    }
 }
 
 /// The steps of a message type.
@@ -82,7 +96,8 @@ static NOTHING: Field = Field {
 
 const FIRST: Step = Step {
     field: &NOTHING,
-    at: 0,
+    byte: 0,
+    bit: 0,
     shift: 0,
     op: Op::Flag,
     next: 0,
@@ -145,26 +160,37 @@ impl Plan {
         let mut next = 0;
         while let Some(step) = self.steps.get(next) {
             next = usize::from(step.next);
-            let at = usize::from(step.at);
-            let raw = ((bits.window(at) >> step.shift) as u32 ^ step.sign).wrapping_sub(step.sign);
+            let word = bits.word(usize::from(step.byte)) << (step.bit & 63);
+            let raw = ((word >> (step.shift & 63)) as u32 ^ step.sign).wrapping_sub(step.sign);
             let raw = raw as i32;
             let holds = raw.wrapping_sub(step.low) as u32 <= step.span;
-            let value = match step.op {
-                Op::Whole if holds => Value::Integer(i64::from(raw.wrapping_add(step.more))),
-                Op::Code if raw != step.more => Value::Integer(i64::from(raw)),
-                Op::Tenths if holds => Value::Number(f64::from(raw) / 10.0),
-                Op::Fine if holds => Value::Number(degrees::<600_000>(raw)),
-                Op::Coarse if holds => Value::Number(degrees::<600>(raw)),
+            // The value is written where it is given from, and not copied.
+            let mut entry = Entry {
+                group: None,
+                entry: 0,
+                value: Value::Null,
+                field: step.field,
+            };
+            match step.op {
+                Op::Whole if holds => {
+                    entry.value = Value::Integer(i64::from(raw.wrapping_add(step.more)));
+                }
+                Op::Code if raw != step.more => entry.value = Value::Integer(i64::from(raw)),
+                Op::Tenths if holds => entry.value = Value::Number(f64::from(raw) / 10.0),
+                Op::Fine if holds => entry.value = Value::Number(degrees::<600_000>(raw)),
+                Op::Coarse if holds => entry.value = Value::Number(degrees::<600>(raw)),
                 Op::Whole | Op::Code | Op::Tenths | Op::Fine | Op::Coarse => {
-                    strange(step.field, raw, faults)
+                    entry.value = strange(step.field, raw, faults);
                 }
-                Op::Flag => Value::Flag(raw != 0),
+                Op::Flag => entry.value = Value::Flag(raw != 0),
                 Op::Text => {
-                    let text = SixBitText::read(bits, at, step.field.width / 6);
-                    text.map_or(Value::Null, Value::Text)
+                    let text = SixBitText::read(bits, step.at(), step.field.width / 6);
+                    if let Some(text) = text {
+                        entry.value = Value::Text(text);
+                    }
                 }
-                Op::Rest => step.field.read_rest(bits, at),
-                Op::Turn => turn(i32::from(raw as i8)),
+                Op::Rest => entry.value = step.field.read_rest(bits, step.at()),
+                Op::Turn => entry.value = turn(i32::from(raw as i8)),
                 Op::Switch => {
                     next = self.target(step, raw as usize);
                     continue;
@@ -173,13 +199,8 @@ impl Plan {
                     next = self.target(step, usize::from(auxiliary(bits.get(8, 30))));
                     continue;
                 }
-            };
-            sink(Entry {
-                group: None,
-                entry: 0,
-                value,
-                field: step.field,
-            });
+            }
+            sink(entry);
         }
     }
 

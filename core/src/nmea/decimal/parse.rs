@@ -153,6 +153,19 @@ impl Decimal {
         Self::parse_last(head, length)
     }
 
+    /// One to eight digits; none for all else.
+    #[inline(always)]
+    pub(crate) fn whole_only(head: &[u8], length: usize) -> Option<Self> {
+        if length.wrapping_sub(1) >= 8 {
+            return None;
+        }
+        let digits = last_digits(head, length)?;
+        (strange(digits) == 0).then(|| Self {
+            mantissa: number_of(digits),
+            shape: Shape::new(length as u8, 0, 0),
+        })
+    }
+
     /// One to eight characters: a minus perhaps, digits, a point between them perhaps; none for all else.
     #[inline(always)]
     pub(crate) fn short(head: &[u8], length: usize) -> Option<Self> {

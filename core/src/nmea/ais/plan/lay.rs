@@ -87,9 +87,8 @@ impl Plan {
 
     const fn field(mut self, field: &'static Field, at: usize) -> (Self, usize) {
         let width = field.width;
-        let mut step = FIRST;
+        let mut step = FIRST.placed(at);
         step.field = field;
-        step.at = at as u16;
         step.shift = if width < 64 {
             (64 - width) as u8 & 63
         } else {
@@ -199,7 +198,7 @@ impl Plan {
                     Place::Bit(at) => at,
                 };
                 step.op = Op::Switch;
-                step.at = place as u16;
+                step = step.placed(place);
                 step.shift = (64 - when.width) as u8 & 63;
                 when.width
             }
