@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::PathBuf;
 use wheelover_core::autopilot::modes_document;
-use wheelover_core::nmea::{dictionary, explain};
+use wheelover_core::nmea::{dictionary, document};
 
 #[test]
 fn the_document_of_the_sentences_is_up_to_date() {
-    is_up_to_date("sentences.md", &explain::document());
+    is_up_to_date("sentences.md", &document());
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn every_formatter_of_the_edition_of_2024_is_in_the_dictionary() {
 #[test]
 fn no_page_of_a_maker_reads_like_a_requirement() {
     // Furuno numbers the pages of its list as our requirements of the autopilot are numbered.
-    let document = explain::document();
+    let document = document();
     let cited: Vec<&str> = document.lines().filter(|l| l.contains("AP-")).collect();
     assert_eq!(cited, [""; 0]);
     assert!(document.contains("Furuno appendix p. 13"));

@@ -7,12 +7,8 @@ use std::sync::OnceLock;
 
 /// Circles that still stand, folder by folder: nothing may join them, and who opens one takes it off.
 #[rustfmt::skip]
-const OPEN: [(&str, &str); 5] = [
+const OPEN: [(&str, &str); 1] = [
     ("core autopilot", ". operator readings remote report selection sight"),
-    ("core nmea", ". ais angles assemble codes decode document encode explain explain_text explain_units hints json known macros read tables values view whole"),
-    ("core nmea::ais", "message plan walk"),
-    ("core nmea::ais::plan", ". lay"),
-    ("core nmea::ais::tables", ". application management report statics targets"),
 ];
 
 fn core() -> &'static Needs {

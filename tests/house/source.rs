@@ -18,6 +18,8 @@ pub(crate) struct Source {
     pub(crate) methods: BTreeSet<(String, String)>,
     /// Methods that it calls on itself or on something else.
     pub(crate) calls: BTreeSet<String>,
+    /// In how many modules written out in it the reader is: there `super` is a module of this file, or the file.
+    inside: usize,
 }
 
 /// One name that a `use` brings.
@@ -62,6 +64,12 @@ fn braced(tree: &TokenTree) -> Option<Vec<TokenTree>> {
     }
 }
 
+/// Where the block of a `mod` stands that is written out, its name in a macro or not.
+fn written_out(trees: &[TokenTree]) -> Option<usize> {
+    let block = |at: &usize| trees.get(*at).is_some_and(|tree| braced(tree).is_some());
+    [2, 3].into_iter().find(block)
+}
+
 /// How many trees an item takes: to its block or its semicolon.
 fn item(trees: &[TokenTree]) -> usize {
     let ends = |tree: &TokenTree| braced(tree).is_some() || is(Some(tree), ';');
@@ -95,6 +103,12 @@ impl Source {
                 (Some("mod"), Some(name)) if is(rest.get(2), ';') => {
                     self.parts.insert(name);
                     at += 3;
+                }
+                (Some("mod"), _) if let Some(end) = written_out(rest) => {
+                    self.inside += 1;
+                    self.walk(&braced(&rest[end]).unwrap_or_default());
+                    self.inside -= 1;
+                    at += end + 1;
                 }
                 (
                     Some("struct" | "enum" | "trait" | "type" | "fn" | "const" | "static"),
@@ -159,8 +173,18 @@ impl Source {
             }
             at += 2;
         }
+        self.seen_from_here(&mut names);
         self.paths.insert(names);
         at
+    }
+
+    /// What a module that is written out here calls `super` is found in this file.
+    fn seen_from_here(&self, path: &mut [String]) {
+        for name in path.iter_mut().take(self.inside) {
+            if *name == "super" {
+                *name = "self".to_owned();
+            }
+        }
     }
 
     /// The names of a `use`, without the word and the semicolon.
@@ -176,13 +200,13 @@ impl Source {
             }
             if is(Some(tree), '*') {
                 let name = "*".to_owned();
-                self.imports.push(Import { path, name, public });
+                self.bring(path, name, public);
                 return;
             }
             match ident(Some(tree)).as_deref() {
                 Some("as") => {
                     let name = ident(trees.get(at + 1)).unwrap_or_default();
-                    self.imports.push(Import { path, name, public });
+                    self.bring(path, name, public);
                     return;
                 }
                 Some("self") if !path.is_empty() => {}
@@ -192,8 +216,13 @@ impl Source {
             at += 1;
         }
         if let Some(name) = path.last().cloned() {
-            self.imports.push(Import { path, name, public });
+            self.bring(path, name, public);
         }
+    }
+
+    fn bring(&mut self, mut path: Vec<String>, name: String, public: bool) {
+        self.seen_from_here(&mut path);
+        self.imports.push(Import { path, name, public });
     }
 
     /// Notes the methods of an `impl` without a trait.
@@ -235,7 +264,7 @@ fn what_a_file_names_is_read() {
     let source = read(
         "//! X.\nmod part;\npub use part::{A, b::C as D};\nuse super::*;\n#[cfg(test)]\nmod tests { use crate::never; }\n\
          pub(crate) struct Own;\nimpl<T> Own { fn made(&self) -> u8 { crate::x::y(self.call(1)); if self.field { 1 } } }\n\
-         impl Other for Own { fn not(&self) {} }\n// crate::comment\nconst S: &str = \"crate::text\";\n",
+         impl Other for Own { fn not(&self) {} }\nmod inner { use super::Own; use super::super::Above; }\n// crate::comment\nconst S: &str = \"crate::text\";\n",
     );
     let import = |path: &str, name: &str, public| Import {
         path: path.split("::").map(str::to_owned).collect(),
@@ -247,7 +276,10 @@ fn what_a_file_names_is_read() {
         [
             import("part::A", "A", true),
             import("part::b::C", "D", true),
-            import("super", "*", false)
+            import("super", "*", false),
+            // Of what is written out here `super` is this file.
+            import("self::Own", "Own", false),
+            import("self::super::Above", "Above", false)
         ]
     );
     let paths: Vec<String> = source.paths.iter().map(|path| path.join("::")).collect();

@@ -2,8 +2,8 @@
 
 use super::decimal::{Decimal, POW10};
 use super::fault::{Fault, FaultKind};
-use super::read::{fault, side, which_side};
 use super::scan::{Field, last};
+use super::sides::{fault, side, which_side};
 use super::table::Sides;
 use super::value::Value;
 use alloc::vec::Vec;

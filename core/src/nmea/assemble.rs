@@ -2,8 +2,8 @@
 //!
 //! **Invariant:** at most 16 messages and 32 KiB are held; the oldest goes first, and none is kept over 10 s.
 
-use super::explain::latin1;
 use super::tables::{Alc, AlcEntry, Alf, Gsv, GsvSatellite, RouteMode, Rte};
+use super::value::latin1;
 use super::{Sentence, decode};
 use crate::time::Stamp;
 use alloc::string::String;

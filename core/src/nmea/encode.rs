@@ -2,7 +2,7 @@
 
 use super::decimal::Decimal;
 use super::table::{Definition, Format, Kind, Sides};
-use super::value::{Value, degrees_and_minutes};
+use super::value::{Value, degrees_and_minutes, latin1};
 use crate::geo::Position;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -258,7 +258,7 @@ pub(crate) fn text(out: Vec<u8>) -> String {
     if out.is_ascii() {
         String::from_utf8(out).unwrap_or_default()
     } else {
-        super::explain::latin1(&out)
+        latin1(&out)
     }
 }
 
@@ -275,7 +275,7 @@ pub fn with_checksum(body: &str) -> String {
             .map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')),
     );
     close(&mut out, 0);
-    super::explain::latin1(&out)
+    latin1(&out)
 }
 
 fn decimal(format: &Format, cell: &Cell<'_>) -> Option<Decimal> {

@@ -1,92 +1,17 @@
 //! Explanation: the table walked beside the raw fields, each with name, value, unit, meaning and use.
 
-pub use super::document::document;
+pub use super::explained::{Explanation, Field, FieldValue, Name};
+pub use super::value::latin1;
 
 use super::explain_text::{compass, side_meaning, unit_meaning};
 use super::explain_units::name_units;
-use super::fault::{Fault, FaultKind};
+use super::explained::Facet;
 use super::read::read;
+use super::sentence::{Item, Sentence};
 use super::table::{Kind, MemberText, SentenceText};
 use super::tables::text;
-use super::value::Value;
-use super::{Date, Decimal, Item, Sentence};
-use alloc::string::String;
+use super::value::{Date, Value};
 use alloc::vec::Vec;
-
-/// A sentence explained.
-#[derive(Clone, Debug)]
-pub struct Explanation<'a> {
-    /// What the sentence is; none where it is unknown.
-    pub title: Option<&'static str>,
-    /// The documents that define it.
-    pub source: Option<&'static str>,
-    /// Its fields in order.
-    pub fields: Vec<Field<'a>>,
-    /// Everything that is wrong.
-    pub faults: Vec<Fault>,
-}
-
-/// A field explained.
-#[derive(Clone, Debug)]
-pub struct Field<'a> {
-    /// Its number, from 1.
-    pub n: usize,
-    /// Its name.
-    pub name: Name,
-    /// What stands there.
-    pub raw: &'a [u8],
-    /// Its typed value.
-    pub value: FieldValue<'a>,
-    /// Its unit.
-    pub unit: Option<&'static str>,
-    /// What its code means.
-    pub meaning: Option<&'static str>,
-    /// What it is and what this interface does with it.
-    pub note: &'static str,
-    /// What is wrong with it.
-    pub fault: Option<FaultKind>,
-}
-
-/// Value of one wire field.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FieldValue<'a> {
-    /// Empty, or faulty.
-    None,
-    /// A number in the sentence's own unit.
-    Number(f64),
-    /// A latitude or longitude in decimal degrees, north and east positive; as text to a millimetre.
-    Degrees(f64),
-    /// A whole number.
-    Integer(i64),
-    /// A letter.
-    Letter(u8),
-    /// A text with escapes.
-    Text(&'a [u8]),
-    /// A time of day, hhmmss and decimals of a second.
-    Time(Decimal),
-    /// A date.
-    Date(Date),
-}
-
-/// What of a member a wire field holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Facet {
-    Whole,
-    Side,
-    Unit,
-    Latitude,
-    LatitudeSide,
-    Longitude,
-    LongitudeSide,
-}
-
-/// Name of a wire field: its member, what of it, and the entry of the group.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Name {
-    pub(super) member: &'static str,
-    pub(super) facet: Facet,
-    pub(super) entry: usize,
-}
 
 const NOTHING: MemberText = MemberText {
     name: "field",
@@ -336,16 +261,6 @@ fn typed(value: Value<'_>) -> FieldValue<'_> {
     }
 }
 
-impl Explanation<'_> {
-    /// The field with that name, such as `heading_to_steer`.
-    #[must_use]
-    pub fn field(&self, name: &str) -> Option<&Field<'_>> {
-        self.fields
-            .iter()
-            .find(|f| f.name.facet == Facet::Whole && f.name.member == name)
-    }
-}
-
 impl<'a> Sentence<'a> {
     /// The value of the member with that name, such as `heading_to_steer`; null where there is none.
     #[must_use]
@@ -367,14 +282,5 @@ impl<'a> Sentence<'a> {
             );
         }
         found
-    }
-}
-
-/// Bytes of a line as text: ISO 8859-1.
-#[must_use]
-pub fn latin1(bytes: &[u8]) -> String {
-    match core::str::from_utf8(bytes) {
-        Ok(text) if text.is_ascii() => text.into(),
-        _ => bytes.iter().map(|&b| char::from(b)).collect(),
     }
 }

@@ -1,7 +1,7 @@
 //! Names, values and meanings of an explanation as text.
 
 use super::decimal::{Decimal, POW10};
-use super::explain::{Facet, FieldValue, Name};
+use super::explained::{Facet, FieldValue, Name};
 use super::table::Sides;
 use super::{Date, UtcTime};
 use crate::geo::to_millimetre;

@@ -1,7 +1,7 @@
 //! Units that stand in another field of their sentence: what the letter there says of a number (EMC-3: APB in kilometres).
 
 use super::Sentence;
-use super::explain::Field;
+use super::explained::Field;
 
 /// Formatter, field of the unit, fields of distances, fields of speeds.
 type Place = (&'static str, usize, &'static [usize], &'static [usize]);

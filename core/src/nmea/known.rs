@@ -2,7 +2,6 @@
 
 use super::scan::FieldList;
 use super::table::Definition;
-use super::tables;
 
 /// A choice of the dictionary. What is not chosen is not linked either, which keeps a page small.
 pub(crate) trait Known {
@@ -12,22 +11,6 @@ pub(crate) trait Known {
     fn proprietary(address: &str) -> Option<&'static Definition>;
     /// A query, `$--ccQ,FMT`.
     fn query() -> Option<&'static Definition>;
-}
-
-/// All sentences.
-pub(crate) struct Whole;
-
-impl Known for Whole {
-    #[inline(always)]
-    fn formatter(formatter: [u8; 3]) -> Option<&'static Definition> {
-        tables::find(formatter)
-    }
-    fn proprietary(address: &str) -> Option<&'static Definition> {
-        tables::proprietary(address)
-    }
-    fn query() -> Option<&'static Definition> {
-        Some(tables::query())
-    }
 }
 
 /// Formatter and definition of a line.

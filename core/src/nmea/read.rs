@@ -5,6 +5,7 @@ use super::armour::is_armour;
 use super::decimal::Decimal;
 use super::fault::{Fault, FaultKind};
 use super::scan::{Cursor, Field};
+use super::sides::{fault, note, side};
 use super::table::{Format, Kind, Sides};
 use super::value::{Value, hex_byte, hex_digit};
 use alloc::vec::Vec;
@@ -87,18 +88,6 @@ pub(crate) fn read_here<'a>(
 // What is not in the caller gives no whole value: a value that may come from there would pass through memory.
 
 #[inline(always)]
-pub(super) fn fault<'a>(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) -> Value<'a> {
-    note(faults, n, kind);
-    Value::Invalid
-}
-
-#[cold]
-#[inline(never)]
-fn note(faults: &mut Vec<Fault>, n: usize, kind: FaultKind) {
-    faults.push(Fault::at(n - 1, kind));
-}
-
-#[inline(always)]
 fn number<'a>(field: Field<'a>, format: &Format, n: usize, faults: &mut Vec<Fault>) -> Value<'a> {
     if field.length.wrapping_sub(1) < 8
         && let Some(number) = Decimal::short(field.head, field.length)
@@ -172,42 +161,6 @@ fn lettered<'a>(
         Value::Null => Value::Null,
         _ => Value::Invalid,
     }
-}
-
-/// Whether the side is the negative one; none where it is missing or unknown.
-#[inline(always)]
-pub(super) fn side(
-    field: Field<'_>,
-    sides: Sides,
-    n: usize,
-    faults: &mut Vec<Fault>,
-) -> Option<bool> {
-    let negative = which_side(field, sides);
-    if negative.is_none() {
-        wrong_side(field.is_empty(), n, faults);
-    }
-    negative
-}
-
-/// As [`side`], and nothing is said.
-#[inline(always)]
-pub(super) fn which_side(field: Field<'_>, sides: Sides) -> Option<bool> {
-    // Without a branch, as it cannot be foreseen which side it is.
-    let other = field.letter()? ^ sides.positive;
-    let negative = other != 0;
-    let right = other == (sides.positive ^ sides.negative) & 0u8.wrapping_sub(u8::from(negative));
-    right.then_some(negative)
-}
-
-#[cold]
-#[inline(never)]
-fn wrong_side(empty: bool, n: usize, faults: &mut Vec<Fault>) {
-    let kind = if empty {
-        FaultKind::MissingPart
-    } else {
-        FaultKind::UnknownCode
-    };
-    note(faults, n, kind);
 }
 
 #[inline(always)]

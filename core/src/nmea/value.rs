@@ -118,6 +118,15 @@ pub(crate) fn unescape(text: &[u8]) -> String {
     out
 }
 
+/// Bytes of a line as text: ISO 8859-1.
+#[must_use]
+pub fn latin1(bytes: &[u8]) -> String {
+    match core::str::from_utf8(bytes) {
+        Ok(text) if text.is_ascii() => text.into(),
+        _ => bytes.iter().map(|&b| char::from(b)).collect(),
+    }
+}
+
 /// The two digits of a checksum.
 #[inline(always)]
 pub(crate) const fn hex_digits(byte: u8) -> [u8; 2] {

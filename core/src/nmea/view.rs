@@ -1,9 +1,10 @@
 //! How a typed view is read from a sentence: member by member, in the order of the table.
 
 use super::encode::Cell;
+use super::group::group_count;
 use super::read::read;
 use super::scan::Cursor;
-use super::table::{Definition, Kind, Repeat};
+use super::table::{Definition, Kind};
 use super::value::{Date, UtcTime, Value};
 use super::{FieldList, Sentence};
 use crate::geo::Position;
@@ -63,25 +64,6 @@ impl<'s, 'a> Reader<'s, 'a> {
         self.members = self.definition.tail.iter();
         self.in_tail = true;
         entries
-    }
-}
-
-/// How many entries the group of a line has, as far as its fields go.
-#[inline(never)]
-pub(crate) fn group_count(definition: &Definition, fields: &FieldList<'_>) -> usize {
-    let Some(group) = &definition.group else {
-        return 0;
-    };
-    let rest = fields.len().saturating_sub(definition.fixed_width());
-    let there = rest / group.width();
-    match group.repeat {
-        Repeat::Open => rest.div_ceil(group.width()),
-        Repeat::UpTo(most) => there.min(usize::from(most)),
-        Repeat::Counted(at) => {
-            let said =
-                super::Decimal::parse(fields.at(usize::from(at))).map_or(0, |d| d.value() as usize);
-            said.min(there)
-        }
     }
 }
 

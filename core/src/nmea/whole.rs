@@ -2,11 +2,11 @@
 
 use super::decimal::Decimal;
 use super::fault::{Fault, FaultKind};
+use super::group::group_count;
 use super::read::read;
 use super::scan::FieldList;
 use super::table::{Definition, Group, Kind, Repeat};
 use super::value::Value;
-use super::view::group_count;
 use alloc::vec::Vec;
 
 /// The member of an entry (from 0) without which the others say nothing.

@@ -1,8 +1,9 @@
 //! The JSON object of a message (CLI-2).
 
+use super::entry::Entry;
 use super::fault::MessageFault;
 use super::gather::Gathered;
-use super::message::{Entry, RadioMessage};
+use super::message::RadioMessage;
 use super::value::Value;
 use crate::nmea::JsonLine;
 use crate::nmea::explain::latin1;

@@ -1,8 +1,9 @@
 //! A message of six-bit characters: its table walked beside its bits.
 
 use super::bits::{Bits, NoArmour};
+use super::entry::Entry;
 use super::fault::{MessageFault, MessageFaultKind};
-use super::field::{Field, Item};
+use super::field::Item;
 use super::plan::plan;
 use super::tables::{BINARY, HEADER, TEXT, UNSTRUCTURED, layout};
 use super::value::Value;
@@ -28,18 +29,6 @@ pub struct RadioMessage<'p> {
     title: Option<&'static str>,
     items: [&'static [Item]; 2],
     fault: Option<MessageFaultKind>,
-}
-
-/// A field of a message.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry<'m> {
-    /// The list that it belongs to, and which of its entries, from 1; none and 0 outside.
-    pub group: Option<&'static str>,
-    /// Which entry of the list.
-    pub entry: usize,
-    /// Its value.
-    pub value: Value<'m>,
-    pub(super) field: &'static Field,
 }
 
 impl<'p> RadioMessage<'p> {
@@ -253,28 +242,5 @@ impl<'p> RadioMessage<'p> {
         let mut faults = Vec::new();
         self.visit(&mut |_| {}, &mut faults);
         faults
-    }
-}
-
-impl Entry<'_> {
-    /// Its name, such as `speed_over_ground`.
-    #[must_use]
-    pub const fn name(&self) -> &'static str {
-        self.field.name
-    }
-    /// Its unit; none for a bare number.
-    #[must_use]
-    pub const fn unit(&self) -> Option<&'static str> {
-        self.field.unit().name()
-    }
-    /// What it is.
-    #[must_use]
-    pub const fn note(&self) -> &'static str {
-        self.field.note
-    }
-    /// What its value means.
-    #[must_use]
-    pub fn meaning(&self) -> Option<&'static str> {
-        self.field.meaning(&self.value)
     }
 }

@@ -7,6 +7,7 @@ mod bits;
 mod codes;
 mod document;
 mod draft;
+mod entry;
 mod fault;
 mod field;
 mod gather;
@@ -22,9 +23,10 @@ mod tests;
 
 pub use bits::Bits;
 pub use draft::{Draft, Input};
+pub use entry::Entry;
 pub use fault::{MessageFault, MessageFaultKind};
 pub use gather::{Gathered, Gatherer};
-pub use message::{Entry, RadioMessage};
+pub use message::RadioMessage;
 pub use value::{Binary, SixBitText, Value};
 
 pub(super) use document::document;

@@ -4,108 +4,18 @@
 //! messages that end early, are walked by their tables (`walk`); both give the same.
 
 use super::bits::Bits;
+use super::entry::Entry;
 use super::fault::MessageFault;
 use super::field::{Field, Kind, degrees};
-use super::message::Entry;
 use super::tables::{HEADER, KINDS, LAYOUTS};
 use super::value::{SixBitText, Value};
 use super::walk::{self, auxiliary, turn};
 use alloc::vec::Vec;
 
 mod lay;
+mod step;
 
-/// The most steps of a message; one with more has no plan.
-const STEPS: usize = 40;
-/// No step.
-const END: u8 = u8::MAX;
-
-/// What is done at a step.
-#[derive(Clone, Copy)]
-enum Op {
-    /// A whole number, or a code of which the least value may mean "not available".
-    Whole,
-    /// A code that means "not available" by a value among others.
-    Code,
-    /// A number in tenths.
-    Tenths,
-    /// An angle in 1/10000 minute.
-    Fine,
-    /// An angle in 1/10 minute.
-    Coarse,
-    Flag,
-    Text,
-    /// What goes to the end.
-    Rest,
-    Turn,
-    /// Goes on where a field of at most three bits says.
-    Switch,
-    /// Goes on where the kind of craft says.
-    Craft,
-}
-
-#[derive(Clone, Copy)]
-struct Step {
-    field: &'static Field,
-    /// Where its bits begin: the byte, and the bit in it.
-    byte: u16,
-    bit: u8,
-    /// How far its bits are from the end of a word of 64.
-    shift: u8,
-    op: Op,
-    /// The step behind it.
-    next: u8,
-    /// The bit of the sign; none of an unsigned number.
-    sign: u32,
-    low: i32,
-    span: u32,
-    /// What is added to the coded value; of a code the value that means "not available".
-    more: i32,
-}
-
-impl Step {
-    /// Where its bits begin.
-    const fn at(&self) -> usize {
-        self.byte as usize * 8 + self.bit as usize
-    }
-    const fn placed(mut self, at: usize) -> Self {
-        self.byte = (at / 8) as u16;
-        self.bit = (at % 8) as u8;
-        self
-    }
-}
-
-/// The steps of a message type.
-#[derive(Clone, Copy)]
-pub(super) struct Plan {
-    steps: [Step; STEPS],
-    /// Where a switch goes on, by the number of the switch and what it reads.
-    targets: [[u8; 8]; 2],
-    count: usize,
-    switches: usize,
-    /// Bits that a message must have to be read by it.
-    bits: usize,
-    fits: bool,
-}
-
-static NOTHING: Field = Field {
-    name: "",
-    width: 1,
-    kind: Kind::Spare,
-    note: "",
-};
-
-const FIRST: Step = Step {
-    field: &NOTHING,
-    byte: 0,
-    bit: 0,
-    shift: 0,
-    op: Op::Flag,
-    next: 0,
-    sign: 0,
-    low: 0,
-    span: 0,
-    more: 0,
-};
+use step::{Op, Plan};
 
 static PLANS: [Option<Plan>; KINDS] = {
     let mut plans = [const { None }; KINDS];
@@ -140,15 +50,6 @@ pub(super) fn plan(kind: u8, bits: &Bits) -> Option<&'static Plan> {
 }
 
 impl Plan {
-    const EMPTY: Self = Self {
-        steps: [FIRST; STEPS],
-        targets: [[0; 8]; 2],
-        count: 0,
-        switches: 0,
-        bits: 0,
-        fits: true,
-    };
-
     /// Gives every field to `sink`, and what is wrong to `faults`.
     #[inline(always)]
     pub(super) fn walk<'m>(
@@ -202,11 +103,6 @@ impl Plan {
             }
             sink(entry);
         }
-    }
-
-    #[inline(always)]
-    fn target(&self, step: &Step, value: usize) -> usize {
-        usize::from(self.targets[step.low as usize & 1][value & 7])
     }
 }
 

@@ -1,9 +1,9 @@
 //! The walk of a table beside the bits of a message.
 
 use super::bits::Bits;
+use super::entry::Entry;
 use super::fault::{MessageFault, MessageFaultKind};
 use super::field::{Field, Item, Kind, NO_INDICATOR, Place, Scale, rate_of_turn};
-use super::message::Entry;
 use super::value::{SixBitText, Value};
 use alloc::vec::Vec;
 

@@ -1,6 +1,7 @@
 //! Fields that contradict each other, and talkers that the tables do not name.
 
-use crate::nmea::{DataStatus, Decimal, ModeIndicator, Sentence};
+use crate::nmea::codes::{DataStatus, ModeIndicator};
+use crate::nmea::{Decimal, Sentence};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;

@@ -1,8 +1,9 @@
 //! HTC with commas missing before the track: both readings (SEN-5).
 
-use crate::nmea::explain::latin1;
+use crate::nmea::codes::{SteeringMode, TurnMode};
 use crate::nmea::tables::Htc;
-use crate::nmea::{Decimal, Sentence, SteeringMode, TurnMode, decode, with_checksum};
+use crate::nmea::value::latin1;
+use crate::nmea::{Decimal, Sentence, decode, with_checksum};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;

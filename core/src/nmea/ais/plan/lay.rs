@@ -1,6 +1,6 @@
 //! How a table becomes a plan; all of it when the program is built.
 
-use super::{END, FIRST, Op, Plan, STEPS, Step};
+use super::step::{END, FIRST, Op, Plan, STEPS, Step};
 use crate::nmea::ais::field::{Field, Item, Kind, NEVER, Place, Scale};
 
 /// No place that is known.

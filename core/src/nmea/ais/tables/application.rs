@@ -1,6 +1,6 @@
 //! Binary and safety-related messages and their acknowledgements: 6 to 8, 12 to 14, 17, 25 and 26.
 
-use super::*;
+use super::common::*;
 
 const SEQUENCE: Item = whole("sequence_number", 2, "Number by which it is acknowledged.");
 const DESTINATION: Item = number("destination_mmsi", 30, MMSI, "Station that is addressed.");

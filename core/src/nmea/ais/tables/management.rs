@@ -1,6 +1,6 @@
 //! Management of the data link: messages 10, 15, 16, 20, 22 and 23.
 
-use super::*;
+use super::common::*;
 
 const DESTINATION: Item = number("destination_mmsi", 30, MMSI, "Station that is addressed.");
 

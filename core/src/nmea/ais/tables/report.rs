@@ -1,6 +1,6 @@
 //! Position reports: messages 1 to 4, 9, 11, 18, 19, 21 and 27.
 
-use super::*;
+use super::common::*;
 
 const CLASS_A: &[Item] = items! {
     code("navigational_status", 4, NEVER, codes::navigational_status, "Navigational status."),

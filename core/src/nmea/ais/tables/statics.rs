@@ -1,6 +1,6 @@
 //! Static and voyage-related data: messages 5 and 24.
 
-use super::*;
+use super::common::*;
 
 const IMO: Scale = Scale::new(1, 1, 0x3FFF_FFFF, Unit::None).none(0);
 const DRAUGHT: Scale = Scale::new(10, 1, 255, Unit::Metres).none(0).top();

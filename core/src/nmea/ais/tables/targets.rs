@@ -1,6 +1,6 @@
 //! Tracked-target data of TTD (IEC 61162-1): one structure a target, told apart by its protocol version.
 
-use super::*;
+use super::common::*;
 
 /// Number of a target; 0 means none.
 const TARGET_NUMBER: Item = number(
