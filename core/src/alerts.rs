@@ -106,6 +106,8 @@ alerts! {
     HeadingSource = 114, Caution, B, "HEADING SOURCE", "Another compass is in use. Check the compasses";
     /// MSC.74(69) A2 5.3.6: off the track.
     OffTrack = 115, Alarm, B, "OFF TRACK", "The ship is off the track. Check track, speed and rudder";
+    /// AP-10: two compasses are farther apart than is set.
+    HeadingDifference = 116, Warning, B, "HDG DIFF", "Two compasses are apart. Find out which is right";
     /// FA9: a position jumped and was rejected.
     PositionJump = 120, Caution, B, "POSITION JUMP", "A position is off the dead reckoning and is not used. Check the receiver";
     /// AP-7: the position is not corrected.

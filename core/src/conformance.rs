@@ -40,8 +40,9 @@ fn speaks(station: Role, formatter: &str) -> bool {
         .any(|row| row.formatter() == formatter && by_the_clock(row))
 }
 
-const fn by_the_clock(row: &Row) -> bool {
-    row.period_ms().is_some() && row.talker.is_some()
+fn by_the_clock(row: &Row) -> bool {
+    // An autopilot that is no heading monitor for others says no HMR (N table A.6).
+    row.period_ms().is_some() && row.talker.is_some() && row.saying != Saying::Hmr
 }
 
 /// Lines farther apart belong to different bursts, seconds.

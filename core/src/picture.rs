@@ -9,14 +9,14 @@
 mod fold;
 
 use crate::facts::facts;
-pub use crate::facts::fix::{Fix, Ground};
+pub use crate::facts::fix::{Bearing, Fix, Ground};
 use crate::facts::known::OfPicture;
 use crate::facts::ports::rank;
 use crate::limits::{Freshness, Quantity, freshness};
 use crate::nmea::{Htc, Htd, Pney1, Pney2, Sentence, Xte, decode_knowing};
 use crate::station::{PortIndex, PortSetup, Role};
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
+use crate::units::{RateOfTurn, RudderAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec;
@@ -182,8 +182,15 @@ impl Picture {
 
     /// The heading in use: the first usable one in the order of the ports' profiles.
     #[must_use]
-    pub fn heading(&self, now: Stamp) -> Option<&Heard<Heading>> {
+    pub fn heading(&self, now: Stamp) -> Option<&Heard<Bearing>> {
         self.best(&self.headings, Quantity::Heading, now)
+    }
+
+    /// The variation where the ship is, degrees, east positive.
+    #[must_use]
+    pub fn variation(&self, now: Stamp) -> Option<f64> {
+        let heard = self.variation.as_ref()?;
+        heard.usable(Quantity::Variation, now).copied()
     }
 
     /// The rate of turn in use.

@@ -56,6 +56,8 @@ pub enum Profile {
     Magn,
     /// Position receiver.
     Gps,
+    /// Second position receiver.
+    Gps2,
     /// Speed log.
     Log,
     /// Rate of turn sensor.
@@ -70,13 +72,14 @@ pub enum Profile {
 
 impl Profile {
     /// All, in the order of the interface (section 3a).
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Ecdis,
         Self::Gyro1,
         Self::Gyro2,
         Self::Thd,
         Self::Magn,
         Self::Gps,
+        Self::Gps2,
         Self::Log,
         Self::Rot,
         Self::Gear,
@@ -94,6 +97,7 @@ impl Profile {
             Self::Thd => "thd",
             Self::Magn => "magn",
             Self::Gps => "gps",
+            Self::Gps2 => "gps2",
             Self::Log => "log",
             Self::Rot => "rot",
             Self::Gear => "gear",

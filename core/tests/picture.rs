@@ -71,3 +71,94 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
     assert_eq!(ever, [true; 3], "HTC, HTD and PNEY,002 were heard");
     assert!(!whole.headings.is_empty() && !whole.fixes.is_empty() && !whole.rates.is_empty());
 }
+
+/// What a picture is after these lines on one port.
+fn heard(profile: Profile, lines: &[&str]) -> Picture {
+    let port = PortSetup {
+        name: "port".into(),
+        profile,
+        checksum: ChecksumPolicy::Required,
+        baud: 4800,
+        output: false,
+    };
+    let mut picture = Picture::new(Role::Autopilot, vec![port]);
+    for line in lines {
+        picture.fold(
+            Stamp(1_000),
+            0,
+            Direction::In,
+            with_checksum(line).as_bytes(),
+        );
+    }
+    picture
+}
+
+// AP-9: every sentence that tells a position, with each mode indicator or quality that counts and each that does not.
+#[test]
+fn a_position_is_taken_from_every_sentence_in_every_valid_mode_and_in_no_other() {
+    let place = "5959.000,N,02455.000,E";
+    let check = |body: &str, corrected: Option<bool>| {
+        for profile in [Profile::Gps, Profile::Gps2] {
+            let picture = heard(profile, &[body]);
+            let fix = picture.fixes.first().map(|heard| heard.value.corrected());
+            assert_eq!(fix, corrected, "{body} on {profile:?}");
+        }
+        assert!(heard(Profile::Log, &[body]).fixes.is_empty(), "{body}");
+    };
+    for (mode, valid) in "ADPFRESMN"
+        .chars()
+        .zip([true; 5].into_iter().chain([false; 4]))
+    {
+        let expect = valid.then_some(mode != 'A');
+        check(&format!("GPGLL,{place},120000.00,A,{mode}"), expect);
+        check(
+            &format!("GPRMC,120000.00,A,{place},9.5,245.0,281126,7.5,E,{mode},S"),
+            expect,
+        );
+        check(
+            &format!("GNGNS,120000.00,{place},{mode}N,08,1.0,5.0,20.0,,,S"),
+            expect,
+        );
+        check(
+            &format!("GNGNS,120000.00,{place},N{mode},08,1.0,5.0,20.0,,,S"),
+            expect,
+        );
+    }
+    check(
+        &format!("GNGNS,120000.00,{place},AD,08,1.0,5.0,20.0,,,S"),
+        Some(true),
+    );
+    check(&format!("GPGLL,{place},120000.00,V,A"), None);
+    for quality in 0..=8 {
+        let expect = (1..=5).contains(&quality).then_some(quality > 1);
+        check(
+            &format!("GPGGA,120000.00,{place},{quality},08,1.0,5.0,M,20.0,M,,"),
+            expect,
+        );
+    }
+}
+
+// AP-9: HDT, THS in mode A only, HDG and HDM; each on its own ports.
+#[test]
+fn a_heading_is_taken_from_every_compass_on_its_own_port_only() {
+    let check = |body: &str, ports: &[Profile], degrees: Option<f64>| {
+        for profile in Profile::ALL {
+            let picture = heard(profile, &[body]);
+            let said = picture.headings.first();
+            let said = said.map(|heard| heard.value.true_heading(None).map(|h| h.deg()));
+            let expect = ports.contains(&profile).then_some(degrees);
+            assert_eq!(said, expect, "{body} on {profile:?}");
+        }
+    };
+    let true_ports = [Profile::Gyro1, Profile::Gyro2, Profile::Thd];
+    check("HEHDT,100.5,T", &true_ports, Some(100.5));
+    check("HETHS,100.5,A", &true_ports, Some(100.5));
+    for mode in ["E", "M", "S", "V"] {
+        check(&format!("HETHS,100.5,{mode}"), &[], None);
+    }
+    check("HCHDG,100.5,1.5,W,3.0,E", &[Profile::Magn], Some(102.0));
+    check("HCHDG,100.5,1.5,W,,", &[Profile::Magn], None);
+    check("HCHDM,100.5,M", &[Profile::Magn], None);
+    let varied = heard(Profile::Magn, &["HCHDG,100.5,1.5,W,3.0,E", "HCHDM,99.0,M"]);
+    assert_eq!(varied.variation(Stamp(2_000)), Some(3.0));
+}

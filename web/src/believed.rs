@@ -6,7 +6,7 @@ use wheelover_core::geo::Position;
 use wheelover_core::limits::Freshness;
 use wheelover_core::picture::{Heard, Picture};
 use wheelover_core::time::Stamp;
-use wheelover_core::units::wrap_180;
+use wheelover_core::units::{Heading, wrap_180};
 use wheelover_core::view::{Own, RefusedView};
 
 /// A heading that was not judged yet is shown within so much of the believed one: degrees, and degrees a second.
@@ -34,7 +34,12 @@ pub fn heading(picture: &Picture, own: &Own, now: Stamp) -> Reading<f64> {
         &picture.headings,
         picture.heading(now),
         now,
-        |h| h.deg(),
+        |compass| {
+            compass
+                .true_heading(None)
+                .filter(|_| !own.magnetic)
+                .map(Heading::deg)
+        },
         |heard, own, seconds| libm::fabs(wrap_180(heard - own)) > TURNS.0 + TURNS.1 * seconds,
     )
 }
@@ -52,7 +57,7 @@ pub fn position(picture: &Picture, own: &Own, now: Stamp) -> Reading<Position> {
         &picture.fixes,
         picture.fix(now),
         now,
-        |fix| fix.position,
+        |fix| Some(fix.position),
         |heard, own, seconds| own.distance(*heard) > RUNS.0 + RUNS.1 * seconds,
     )
 }
@@ -78,7 +83,7 @@ impl<T: Copy> Belief<'_, T> {
         list: &[Heard<H>],
         best: Option<&Heard<H>>,
         now: Stamp,
-        value: fn(&H) -> T,
+        value: impl Fn(&H) -> Option<T> + Copy,
         apart: impl Fn(&T, &T, f64) -> bool,
     ) -> Reading<T> {
         let used = self
@@ -91,7 +96,7 @@ impl<T: Copy> Belief<'_, T> {
                 .find(|heard| picture.source_name(&heard.source) == *source)
         });
         let used = used.or(best);
-        let heard = Reading::heard(picture, used, self.quantity, now, |said| Some(value(said)));
+        let heard = Reading::heard(picture, used, self.quantity, now, value);
         let refused = |of: &RefusedView| of.source == heard.source;
         let words = words(self.own, self.quantity);
         let why = if of(self.own, self.quantity).any(refused) {
@@ -100,8 +105,12 @@ impl<T: Copy> Belief<'_, T> {
             "not judged yet".to_owned()
         } else {
             // Another one may be refused: a mark, and the value stands.
+            // A magnetic heading is made true, or not, by the autopilot.
             return Reading {
                 why: words,
+                value: heard
+                    .value
+                    .or(self.value.filter(|_| heard.state != Freshness::Lost)),
                 ..heard
             };
         };
@@ -121,13 +130,14 @@ impl<T: Copy> Belief<'_, T> {
     fn early<H>(
         &self,
         heard: &Heard<H>,
-        value: fn(&H) -> T,
+        value: impl Fn(&H) -> Option<T>,
         apart: impl Fn(&T, &T, f64) -> bool,
     ) -> bool {
         let judged = Stamp(self.own.judged);
         let seconds = heard.at.since(judged) as f64 / 1_000.0;
         self.value
-            .is_some_and(|own| heard.at >= judged && apart(&value(&heard.value), &own, seconds))
+            .zip(value(&heard.value))
+            .is_some_and(|(own, said)| heard.at >= judged && apart(&said, &own, seconds))
     }
 }
 

@@ -64,7 +64,7 @@ impl Readings {
         let heading = match own {
             Some(own) => believed::heading(picture, own, now),
             None => Reading::heard(picture, picture.heading(now), Heading, now, |h| {
-                Some(h.deg())
+                h.true_heading(picture.variation(now)).map(|h| h.deg())
             }),
         };
         let position = match own {

@@ -159,6 +159,7 @@ impl Autopilot {
             } else {
                 self.timers.set(timer, at + SECOND_MS);
                 self.report(at, When::Every(SECOND_MS), out);
+                self.report_monitor(at, out);
             }
         }
         self.now = now;
@@ -276,13 +277,12 @@ impl Autopilot {
 
     /// What modes know of the ship and of what is set.
     fn facts(&self, now: Stamp) -> Facts {
-        let heard = self.post.picture.heading(now).map(|heard| heard.value);
         Facts {
             now,
             heading: self
                 .sight
                 .heading()
-                .or(heard)
+                .or_else(|| self.sight.heard(&self.post.picture, now, &self.settings))
                 .unwrap_or(Heading::from_deg(0.0)),
             order: self.gear.order(),
             place: self.sight.long_place(now),

@@ -69,6 +69,12 @@ impl Autopilot {
         self.sight.heading()
     }
 
+    /// Whether that heading is of magnetic north: no variation is known (AP-10).
+    #[must_use]
+    pub fn heading_is_magnetic(&self) -> bool {
+        self.sight.is_magnetic()
+    }
+
     /// When the sources were judged last, at the control step before this: what was heard then or later waits for the next.
     #[must_use]
     pub fn judged_at(&self) -> Stamp {

@@ -25,22 +25,34 @@ impl Autopilot {
             let profile = self.post.picture.ports[port].profile;
             let rows = talk::told(Role::Autopilot, profile).iter();
             for row in rows.filter(|row| row.when == due) {
-                if let Some(line) = self.line(now, row) {
+                if let Some(line) = self.line(row) {
                     self.post.say(now, port, &line, out);
                 }
             }
         }
     }
 
+    /// HMS: each 30 s, and when what is set has changed (AP-10).
+    pub(super) fn report_monitor(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        if self.sight.hms_is_due(now, talk::HMS_MS) {
+            self.report(now, When::Renewed(talk::HMS_MS), out);
+        }
+    }
+
     /// A sentence as it is now; absent where there is nothing to say, and what is not an autopilot's to say.
-    fn line(&self, now: Stamp, row: &Row) -> Option<String> {
+    fn line(&self, row: &Row) -> Option<String> {
         Some(match (row.saying, row.talker) {
             (Saying::Htd, Some(talker)) => self.htd().line(talker),
             (Saying::Rsa, Some(talker)) => self.rsa().line(talker),
             (Saying::Ror, Some(talker)) => gear::ror(self.rudder_order()).line(talker),
+            (Saying::Hms, Some(talker)) => self.sight.monitor().hms().line(talker),
+            (Saying::Hmr, Some(talker)) => self.sight.monitor().hmr().line(talker),
             // AP-12: the heading goes on with its source's talker.
             (Saying::Hdt, None) => {
-                let source = &self.post.picture.heading(now)?.source;
+                if self.sight.is_magnetic() {
+                    return None; // AP-10
+                }
+                let source = self.sight.compass()?;
                 let heading = Some(self.sight.heading()?.deg());
                 Hdt { heading }.line(&source.talker)
             }
@@ -68,7 +80,11 @@ impl Autopilot {
         let mut htd = Htd {
             override_status: Some(OverrideStatus::NotInUse),
             rudder_angle: self.rudder_order().map(RudderAngle::deg),
-            reference: Some(Reference::True),
+            reference: Some(if self.sight.is_magnetic() {
+                Reference::Magnetic
+            } else {
+                Reference::True
+            }),
             rudder_status: within(!limited),
             off_heading_status: within(self.off_heading().is_none()),
             heading: self.sight.heading().map(Heading::deg),

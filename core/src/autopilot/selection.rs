@@ -147,6 +147,7 @@ impl Autopilot {
         match need {
             Need::Enabled => self.settings.external_tcs,
             Need::InAuto => matches!(self.mode, Mode::Auto(_)),
+            Need::TrueHeading => !self.heading_is_magnetic(),
             Need::NoOverride => !self.override_heard(now),
             Need::LegKnown => self.commanded_radius(now).is_none(),
             Need::Heading => self.sight.heading().is_some(),

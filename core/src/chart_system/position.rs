@@ -106,7 +106,8 @@ impl ChartSystem {
     /// Heading of a compass, else the one that the autopilot forwards; at most 2 s old.
     pub(super) fn heading_at(&self, now: Stamp) -> Option<Heading> {
         let heard = self.post.picture.heading(now);
-        self.post.fresh(heard, Quantity::Heading, now)
+        let bearing = self.post.fresh(heard, Quantity::Heading, now)?;
+        bearing.true_heading(self.post.picture.variation(now))
     }
 
     /// Speed through the water, at most 5 s old.

@@ -55,6 +55,8 @@ quantities! {
     RateOfTurn "rate" 1_200 2_000;
     /// Rudder angle.
     Rudder "rudder" 1_200 2_000;
+    /// Variation; where the ship is it does not change within an hour.
+    Variation "variation" 60_000 3_600_000;
     /// Speed through the water.
     WaterSpeed "water" 3_000 5_000;
 }
@@ -67,11 +69,13 @@ macro_rules! facts {
     ($then:ident) => {
         $then! {
             /// Headings, one a source.
-            headings: many Heading { hdt: read::hdt, ths: read::ths };
+            headings: many Bearing { hdt: read::hdt, ths: read::ths, hdg: read::hdg, hdm: read::hdm };
+            /// Variation where the ship is, east positive, degrees.
+            variation: one f64 { rmc: read::rmc_variation, hdg: read::hdg_variation };
             /// Rates of turn, one a source.
             rates: many RateOfTurn { rot: read::rot };
             /// Positions, one a source.
-            fixes: many Fix { gll: read::gll, gga: read::gga, rmc: read::rmc_fix };
+            fixes: many Fix { gll: read::gll, gga: read::gga, rmc: read::rmc_fix, gns: read::gns };
             /// Courses and speeds over ground, one a source.
             grounds: many Ground { vtg: read::vtg, rmc: read::rmc_ground };
             /// Speeds through the water, one a source.

@@ -19,7 +19,7 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
         ],
         (_, Profile::Gyro1 | Profile::Gyro2 | Profile::Thd) => &["HDT", "THS", "ROT"],
         (_, Profile::Magn) => &["HDG", "HDM"],
-        (_, Profile::Gps) => &["GGA", "GLL", "RMC", "VTG", "ZDA", "GNS"],
+        (_, Profile::Gps | Profile::Gps2) => &["GGA", "GLL", "RMC", "VTG", "ZDA", "GNS"],
         (_, Profile::Log) => &["VHW", "VBW"],
         (_, Profile::Rot) => &["ROT"],
         (Role::Autopilot, Profile::Gear) => &["RSA"],
@@ -44,8 +44,9 @@ pub(crate) const fn rank(profile: Profile) -> u8 {
         Profile::Thd => 2,
         Profile::Rot => 3,
         Profile::Gps | Profile::Log | Profile::Gear => 4,
-        Profile::Magn => 5,
-        Profile::Ecdis => 6,
+        Profile::Gps2 => 5,
+        Profile::Magn => 6,
+        Profile::Ecdis => 7,
         Profile::Hmi | Profile::Monitor => 9,
     }
 }

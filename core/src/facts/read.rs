@@ -1,8 +1,8 @@
 //! What a sentence without faults says about a fact: a value, or that its source has none (AP-9, FA5).
 
-use super::fix::{Fix, Ground};
+use super::fix::{Bearing, Fix, Ground};
 use crate::nmea::{self, DataStatus, ModeIndicator, Sentence};
-use crate::units::{Course, Heading, RateOfTurn, RudderAngle, Speed};
+use crate::units::{Course, RateOfTurn, RudderAngle, Speed};
 
 /// What a source has said.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +40,18 @@ macro_rules! readers {
 }
 
 readers! {
-    hdt(s: nmea::Hdt) -> Heading { true, s.heading.map(Heading::from_deg) }
+    hdt(s: nmea::Hdt) -> Bearing { true, s.heading.map(Bearing::of_true) }
     /// Mode A only (AP-9).
-    ths(s: nmea::Ths) -> Heading {
-        s.mode == Some(nmea::ThsMode::Autonomous), s.heading.map(Heading::from_deg)
+    ths(s: nmea::Ths) -> Bearing {
+        s.mode == Some(nmea::ThsMode::Autonomous), s.heading.map(Bearing::of_true)
     }
+    /// True by its own variation (N table A.12).
+    hdg(s: nmea::Hdg) -> Bearing {
+        true, s.heading.map(|heading| Bearing::of_magnetic(heading, s.deviation, s.variation))
+    }
+    hdm(s: nmea::Hdm) -> Bearing { true, s.heading.map(|heading| Bearing::of_magnetic(heading, None, None)) }
+    hdg_variation(s: nmea::Hdg) -> f64 { true, s.variation }
+    rmc_variation(s: nmea::Rmc) -> f64 { is_valid(s.status) && allows(s.mode), s.variation }
     rot(s: nmea::Rot) -> RateOfTurn { is_valid(s.status), s.rate.map(RateOfTurn::from_deg_per_min) }
     gll(s: nmea::Gll) -> Fix {
         is_valid(s.status) && allows(s.mode),
@@ -60,6 +67,13 @@ readers! {
     rmc_fix(s: nmea::Rmc) -> Fix {
         is_valid(s.status) && allows(s.mode),
         s.position.map(|position| Fix { position, mode: mode(s.mode), utc: s.time.map(nmea::UtcTime::seconds) })
+    }
+    /// Valid where one of its systems is; the best of them tells how it was found.
+    gns(s: nmea::Gns) -> Fix {
+        best_mode(&s).is_some(),
+        s.position.map(|position| Fix {
+            position, mode: best_mode(&s).unwrap_or(ModeIndicator::NotValid), utc: s.time.map(nmea::UtcTime::seconds),
+        })
     }
     rmc_ground(s: nmea::Rmc) -> Ground {
         is_valid(s.status) && allows(s.mode),
@@ -94,6 +108,16 @@ fn is_valid(status: Option<DataStatus>) -> bool {
 /// An edition without the field says nothing against the value.
 fn allows(mode: Option<ModeIndicator>) -> bool {
     mode.is_none_or(ModeIndicator::valid)
+}
+
+/// The best valid mode of a receiver's systems.
+fn best_mode(gns: &nmea::Gns) -> Option<ModeIndicator> {
+    let letters = gns.modes.as_deref().unwrap_or_default().bytes();
+    let order = |mode: &ModeIndicator| *mode == ModeIndicator::Autonomous;
+    letters
+        .filter_map(ModeIndicator::from_letter)
+        .filter(|mode| mode.valid())
+        .min_by_key(order)
 }
 
 /// The mode indicator that says the same as a quality.

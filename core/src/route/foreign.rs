@@ -171,7 +171,7 @@ impl Told {
                 told.situation = same.map(|same| if same { 3 } else { 4 });
                 let centre = in_force(picture.pney2.as_ref(), port, now).and_then(|p| p.centre);
                 if let (Some(ship), Some(centre), Some(control)) = (here, centre, control) {
-                    let arc = Commanded {
+                    let arc = CommandedArc {
                         ship,
                         centre: plane.point(centre),
                         radius,
@@ -191,7 +191,7 @@ impl Told {
     }
 
     /// The leg before the turn is known.
-    fn whole_turn(&mut self, arc: &Commanded, course: Course, before: &Before, plane: &Plane) {
+    fn whole_turn(&mut self, arc: &CommandedArc, course: Course, before: &Before, plane: &Plane) {
         let turned = (arc.track - course).abs().deg();
         if !(TURNS_DEG.0..=TURNS_DEG.1).contains(&turned) {
             return;
@@ -218,7 +218,7 @@ impl Told {
     }
 
     /// The leg before the turn is not known: on the arc what is left of it follows from the leg after it.
-    fn rest_of_turn(&mut self, arc: &Commanded) {
+    fn rest_of_turn(&mut self, arc: &CommandedArc) {
         let Some(side) = arc.side(arc.track) else {
             return;
         };
@@ -235,7 +235,7 @@ impl Told {
 }
 
 /// A turn as it is commanded, in the plane.
-struct Commanded {
+struct CommandedArc {
     ship: Point,
     centre: Point,
     radius: Radius,
@@ -244,7 +244,7 @@ struct Commanded {
     control: f64,
 }
 
-impl Commanded {
+impl CommandedArc {
     /// On which side of a leg on `course`, if PNEY,001 belongs to it, the centre lies; none where it is not one radius off.
     fn side(&self, course: Course) -> Option<f64> {
         let across = self.control

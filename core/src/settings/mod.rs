@@ -89,6 +89,7 @@ settings! {
     forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";
     gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
     heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
+    heading_monitor_limit: number("deg", 1.0 ..= 60.0, 1, 10.0), Operator, Sensors, "Two compasses that are farther apart raise HDG DIFF; AP-10.";
     leg_tolerance: number("m", 10.0 ..= 1000.0, 0, 30.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
     minimum_speed: number("kn", 0.0 ..= 20.0, 1, 2.0), Engineer, Ship, "Below it the ship hardly answers her rudder: alarm, and gains of the cruise speed; FA10.";
@@ -110,6 +111,7 @@ settings! {
     time_constant_s: given("s", 1.0 ..= 1000.0, 1), Engineer, Ship, "Nomoto time constant T at speed_kn; AP-20.";
     track_caution: number("s", 1.0 ..= 10.0, 1, 3.0), Engineer, ChartSystem, "Age of the chart system's sentences at which a caution is raised; TCS-8.";
     track_fail: number("s", 2.0 ..= 30.0, 1, 5.0), Engineer, ChartSystem, "Age at which TRACK FAIL is raised; TCS-8.";
+    variation: given("deg", -90.0 ..= 90.0, 1), Operator, Sensors, "Variation, east positive, for a magnetic compass where none is heard; AP-9.";
 }
 
 /// The line of a setting.

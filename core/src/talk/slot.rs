@@ -34,7 +34,7 @@ pub fn slot(line: &[u8]) -> Slot<'_> {
     let row = rows.find(|row| row.formatter().as_bytes() == formatter);
     let of = row.and_then(|row| match row.when {
         When::Change { of } => Some(of),
-        When::Every(_) | When::Step => None,
+        When::Every(_) | When::Renewed(_) | When::Step => None,
     });
     Slot {
         formatter,

@@ -6,11 +6,16 @@ use crate::station::{Profile, Role};
 /// The period of what is said once a second, milliseconds.
 pub const SECOND_MS: u64 = 1_000;
 
+/// The period of HMS (AP-10), milliseconds.
+pub const HMS_MS: u64 = 30_000;
+
 /// When a sentence is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
     /// Once in so many milliseconds.
     Every(u64),
+    /// On each change, and once in so many milliseconds.
+    Renewed(u64),
     /// With each control step (AP-15).
     Step,
     /// When what it reports has changed, within the share of the line (AP-11).
@@ -38,7 +43,7 @@ macro_rules! sayings {
 }
 
 sayings! {
-    Alr alr, Gll gll, Hdt hdt, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Alr alr, Gll gll, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
     Xte xte,
 }
 
@@ -65,7 +70,7 @@ impl Row {
     pub const fn period_ms(&self) -> Option<u64> {
         match self.when {
             When::Every(period) => Some(period),
-            When::Step | When::Change { .. } => None,
+            When::Renewed(_) | When::Step | When::Change { .. } => None,
         }
     }
 }
@@ -95,6 +100,9 @@ const fn row(saying: Saying, talker: &'static str, when: When) -> Row {
 const HTD: Row = row(Saying::Htd, "AG", SECOND);
 const RSA: Row = row(Saying::Rsa, "AG", SECOND);
 const ROR: Row = row(Saying::Ror, "AG", SECOND);
+/// AP-10: HMS on change and each 30 s.
+const HMR: Row = row(Saying::Hmr, "AG", SECOND);
+const HMS: Row = row(Saying::Hms, "AG", When::Renewed(HMS_MS));
 /// AP-12.
 const HDT: Row = Row {
     saying: Saying::Hdt,
@@ -112,13 +120,15 @@ pub static TABLE: &[Told] = &[
             RSA,
             ROR,
             HDT,
+            HMR,
+            HMS,
             row(Saying::Alr, "AG", When::Change { of: 2 }),
         ],
     },
     Told {
         station: Role::Autopilot,
         profiles: &[Profile::Monitor],
-        rows: &[HTD, RSA, ROR, HDT],
+        rows: &[HTD, RSA, ROR, HDT, HMR],
     },
     Told {
         station: Role::Autopilot,

@@ -181,6 +181,8 @@ pub struct Own {
     pub sources: Vec<(String, String)>,
     /// Heading that the autopilot believes, degrees; absent where it believes none.
     pub heading: Option<f64>,
+    /// That heading, and every heading set, is of magnetic north.
+    pub magnetic: bool,
     /// When it judged its sources last, milliseconds: what was heard then or later is not judged yet.
     pub judged: u64,
     /// Position that it believes, at the time of the snapshot; absent where it believes none.

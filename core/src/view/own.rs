@@ -42,6 +42,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         cross_track_limit: autopilot.off_track_limit(now),
         sources: sources(autopilot, now),
         heading: autopilot.believed_heading().map(Heading::deg),
+        magnetic: autopilot.heading_is_magnetic(),
         judged: autopilot.judged_at().0,
         position: autopilot.believed_position(now),
         refused: autopilot

@@ -62,6 +62,7 @@ fn messages() -> Vec<String> {
                 cross_track_limit: 185.2,
                 sources: vec![("heading".into(), "gyro1/HE/HDT".into())],
                 heading: Some(245.0),
+                magnetic: false,
                 judged: 1_900,
                 position: Some(place),
                 refused: vec![RefusedView {

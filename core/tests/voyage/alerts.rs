@@ -375,6 +375,8 @@ fn no_alert_is_left_out() {
             Alert::ChartPositionLost,
             Alert::CrossTrack,
             Alert::ShipUnknown,
+            // It takes a second compass: `monitor`.
+            Alert::HeadingDifference,
         ])
         .collect();
     let missing: Vec<_> = Alert::ALL

@@ -8,6 +8,8 @@ mod chart_lost;
 mod constants;
 mod cross_track;
 mod entry;
+mod magnetic;
+mod monitor;
 mod monte_carlo;
 mod offsets;
 mod refused_commands;

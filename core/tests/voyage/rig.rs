@@ -27,6 +27,8 @@ struct Wire {
     said: Vec<(String, String)>,
     /// HTD lines of the autopilot with their time.
     htd: Vec<(Stamp, Htd)>,
+    /// What the autopilot said to the chart system: the last line of each formatter, and how many.
+    told: Vec<(String, String, usize)>,
 }
 
 /// A voyage with a tap on its cables, and what is watched all the time.
@@ -96,6 +98,7 @@ impl Rig {
             filter: Box::new(|_, _, line| Some(line.to_string())),
             said: Vec::new(),
             htd: Vec::new(),
+            told: Vec::new(),
         }));
         let tapped = wire.clone();
         voyage.tap(Box::new(move |parcel| tapped.lock().unwrap().pass(parcel)));
@@ -236,7 +239,8 @@ impl Rig {
         let order = self.autopilot().rudder_order().map(|order| order.deg());
         self.orders.push((self.now, order));
         let read = self.autopilot().picture().heading(self.now);
-        let read = read.map(|read| read.value.deg());
+        let read = read.and_then(|read| read.value.true_heading(None));
+        let read = read.map(|read| read.deg());
         self.read.extend(read);
     }
 
@@ -283,6 +287,20 @@ impl Rig {
         &self.htd.last().unwrap().1
     }
 
+    /// The last line of that formatter that the autopilot said to the chart system, empty where it said none.
+    pub(crate) fn told(&self, formatter: &str) -> String {
+        let told = &self.wire.lock().unwrap().told;
+        let found = told.iter().find(|(name, ..)| name == formatter);
+        found.map_or(String::new(), |(_, line, _)| line.clone())
+    }
+
+    /// How many of those it said.
+    pub(crate) fn count(&self, formatter: &str) -> usize {
+        let told = &self.wire.lock().unwrap().told;
+        let found = told.iter().find(|(name, ..)| name == formatter);
+        found.map_or(0, |(.., count)| *count)
+    }
+
     /// The last line of that formatter that the chart system sent.
     pub(crate) fn line(&self, formatter: &str) -> String {
         let said = &self.wire.lock().unwrap().said;
@@ -312,7 +330,15 @@ impl Wire {
         let text = String::from_utf8_lossy(parcel.bytes);
         if parcel.to != Role::Autopilot {
             for line in text.lines().filter(|_| parcel.profile == Profile::Ecdis) {
-                let htd = Htd::from_sentence(&nmea::decode(line.as_bytes()));
+                let sentence = nmea::decode(line.as_bytes());
+                let found = self
+                    .told
+                    .iter()
+                    .position(|(name, ..)| name == sentence.formatter);
+                let count = found.map_or(0, |index| self.told.swap_remove(index).2);
+                self.told
+                    .push((sentence.formatter.into(), line.into(), count + 1));
+                let htd = Htd::from_sentence(&sentence);
                 self.htd.extend(htd.map(|htd| (parcel.at, htd)));
             }
             return Some(parcel.bytes.to_vec());

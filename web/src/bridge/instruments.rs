@@ -31,10 +31,16 @@ fn HeadingPanel() -> impl IntoView {
         ("TRACK", "track", shown(|r| &r.track, format::direction)),
         ("COG", "cog", shown(|r| &r.cog, format::direction)),
     ];
+    let deck = Deck::here();
+    let north = Memo::new(move |_| {
+        let own = |of: &Option<view::Snapshot>| Some(of.as_ref()?.own.as_ref()?.magnetic);
+        let magnetic = deck.own.with(own) == Some(true);
+        if magnetic { "HDG °M " } else { "HDG °T " }
+    });
     view! {
         <section class="hdg">
             <div>
-                <p class="label">"HDG °T "{move || heading.with(|h| h.port.clone())}<Badge shown=heading/></p>
+                <p class="label">{north}{move || heading.with(|h| h.port.clone())}<Badge shown=heading/></p>
                 <dl class="rows">
                     {rows
                         .into_iter()

@@ -33,7 +33,7 @@ pub fn read(text: &str) -> Option<Down> {
 }
 
 fn body<T: DeserializeOwned>(frame: JsValue) -> Option<T> {
-    T::deserialize(Part(frame)).ok()
+    T::deserialize(Node(frame)).ok()
 }
 
 fn field(object: &JsValue, name: &str) -> Option<JsValue> {
@@ -41,7 +41,7 @@ fn field(object: &JsValue, name: &str) -> Option<JsValue> {
 }
 
 /// A value of the frame.
-struct Part(JsValue);
+struct Node(JsValue);
 
 /// It is not what its type says.
 #[derive(Debug)]
@@ -73,7 +73,7 @@ impl de::Error for Unread {
     }
 }
 
-impl Part {
+impl Node {
     fn whole(&self) -> Result<f64, Unread> {
         let number = self.0.as_f64().ok_or(Unread)?;
         if libm::fabs(number) <= EXACT && libm::trunc(number) == number {
@@ -106,7 +106,7 @@ macro_rules! numbers {
     };
 }
 
-impl<'de> de::Deserializer<'de> for Part {
+impl<'de> de::Deserializer<'de> for Node {
     type Error = Unread;
 
     numbers!(unsigned visit_u64: deserialize_u8 deserialize_u16 deserialize_u32 deserialize_u64);
@@ -209,7 +209,7 @@ impl<'de> de::SeqAccess<'de> for List {
         }
         let element = self.array.get(self.next);
         self.next += 1;
-        seed.deserialize(Part(element)).map(Some)
+        seed.deserialize(Node(element)).map(Some)
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -234,6 +234,6 @@ impl<'de> de::SeqAccess<'de> for Fields {
             return Ok(None);
         };
         let value = field(&self.object, name).ok_or(Unread)?;
-        seed.deserialize(Part(value)).map(Some)
+        seed.deserialize(Node(value)).map(Some)
     }
 }

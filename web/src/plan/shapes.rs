@@ -7,7 +7,7 @@ use wheelover_core::view::{RouteDocument, TurnView};
 
 /// A turn in the plane.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Turn {
+pub struct DrawnTurn {
     /// Index of its waypoint.
     pub waypoint: usize,
     /// Both legs and the arc.
@@ -16,7 +16,7 @@ pub struct Turn {
     pub wheel_over: Point,
 }
 
-impl Turn {
+impl DrawnTurn {
     fn of(view: &TurnView, plane: &Plane, course_in: Course, radius: Radius) -> Self {
         let course_out = course_in + SignedAngle::from_deg(view.turn);
         Self {
@@ -35,7 +35,7 @@ pub struct Shape {
     /// Legs without their arcs: from, to; the leg that leads to waypoint `index + 1`.
     pub legs: Vec<(Point, Point)>,
     /// Turns.
-    pub turns: Vec<Turn>,
+    pub turns: Vec<DrawnTurn>,
     /// Limits to port and to starboard, each one line along the whole route.
     pub corridor: [Vec<Point>; 2],
 }
@@ -56,13 +56,13 @@ impl Shape {
                 _ => 0.0,
             })
         };
-        let turns: Vec<Turn> = route
+        let turns: Vec<DrawnTurn> = route
             .turns
             .iter()
             .filter_map(|view| {
                 let radius = Radius::from_nm(route.waypoints.get(view.waypoint)?.radius_nm?);
                 let course_in = Course::from_deg(course(view.waypoint.saturating_sub(1)));
-                Some(Turn::of(view, plane, course_in, radius))
+                Some(DrawnTurn::of(view, plane, course_in, radius))
             })
             .collect();
         let turn_at = |waypoint: usize| turns.iter().find(|turn| turn.waypoint == waypoint);

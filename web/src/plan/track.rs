@@ -2,7 +2,7 @@
 
 use super::frame::Frame;
 use super::scene::Scene;
-use super::shapes::{Shape, Turn};
+use super::shapes::{DrawnTurn, Shape};
 use crate::drawing::Drawing;
 use crate::format::{self, fixed};
 use wheelover_core::geo::Point;
@@ -25,7 +25,7 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
         };
         drawing.path(class, plan, &frame.path(&[*from, *to]));
     }
-    let next = |turn: &&Turn| turn.waypoint == leg + 1;
+    let next = |turn: &&DrawnTurn| turn.waypoint == leg + 1;
     for other in shape.turns.iter().filter(|turn| !next(turn)) {
         drawing.path("route far", "", &frame.path(&other.path.drawn(0.0, 0.0)));
     }

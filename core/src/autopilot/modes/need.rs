@@ -47,6 +47,7 @@ macro_rules! needs {
 needs! {
     Enabled: Lost::AtEntry, "AutoNAV is not enabled at installation", "The setting `external_tcs`.";
     InAuto: Lost::AtEntry, "AutoNAV is selected from AUTO only", "AUTO steers.";
+    TrueHeading: Lost::AtEntry, "the heading is magnetic, and no variation is known", "A heading of true north (AP-10).";
     NoOverride: Lost::AtEntry, "override is in use", "The chart system reports no override (HTC-1).";
     LegKnown: Lost::AtEntry, "not in the middle of a turn: the leg before it is unknown", "No radius is commanded: situations 3 and 4 cannot be entered.";
     Heading: Lost::RudderHold, "no heading", "A heading that is believed.";
@@ -66,6 +67,7 @@ needs! {
 pub(super) const ENTRY: &[Need] = &[
     Need::Enabled,
     Need::InAuto,
+    Need::TrueHeading,
     Need::NoOverride,
     Need::LegKnown,
 ];

@@ -2,6 +2,8 @@
 
 use super::Sight;
 use super::compass::Doubt;
+use super::monitor::HeadingMonitor;
+use super::north::North;
 use super::source::Refused;
 use super::speed::Measure;
 use crate::facts::Quantity;
@@ -19,7 +21,22 @@ impl Sight {
 
     /// The compass in use.
     pub(in super::super) const fn compass(&self) -> Option<&Source> {
-        self.compasses.in_use()
+        self.headings.compasses.in_use()
+    }
+
+    /// Whether headings are of magnetic north: no variation is known (AP-10).
+    pub(in super::super) fn is_magnetic(&self) -> bool {
+        self.headings.north == North::Magnetic
+    }
+
+    /// What the heading monitor has to say (AP-10).
+    pub(in super::super) const fn monitor(&self) -> &HeadingMonitor {
+        &self.headings.monitor
+    }
+
+    /// Whether HMS is to be said (AP-10).
+    pub(in super::super) fn hms_is_due(&mut self, now: Stamp, period: u64) -> bool {
+        self.headings.monitor.hms_is_due(now, period)
     }
 
     /// The receiver in use.
@@ -29,15 +46,19 @@ impl Sight {
 
     /// Compasses and receivers that are heard and not believed (AP-9, FA8, FA9).
     pub(in super::super) fn refused_places(&self) -> Vec<Refused<'_>> {
-        let compasses = self.compasses.doubted().map(|(source, doubt)| Refused {
-            quantity: Quantity::Heading,
-            source,
-            why: match doubt {
-                Doubt::Jumped => "jumped",
-                Doubt::Stuck => "stuck",
-                Doubt::Drifts => "drifts",
-            },
-        });
+        let compasses = self
+            .headings
+            .compasses
+            .doubted()
+            .map(|(source, doubt)| Refused {
+                quantity: Quantity::Heading,
+                source,
+                why: match doubt {
+                    Doubt::Jumped => "jumped",
+                    Doubt::Stuck => "stuck",
+                    Doubt::Drifts => "drifts",
+                },
+            });
         let receivers = self.positions.doubted().map(|source| Refused {
             quantity: Quantity::Position,
             source,
@@ -52,7 +73,7 @@ impl Sight {
         seen: Seen<'a>,
     ) -> impl Iterator<Item = Refused<'a>> {
         let (now, picture) = (seen.now, seen.picture);
-        let rate = picture.rate(now).filter(|_| self.rates.doubted());
+        let rate = picture.rate(now).filter(|_| self.headings.rates.doubted());
         let rate = rate.map(|heard| (Quantity::RateOfTurn, &heard.source));
         let speed = match self.speeds.doubted() {
             Some(Measure::Water) => {

@@ -6,8 +6,12 @@
 mod belief;
 mod compass;
 mod guard;
+mod headings;
+mod monitor;
+mod north;
 mod position;
 mod rate;
+mod sighted;
 mod source;
 mod speed;
 
@@ -15,20 +19,20 @@ use super::notices::Notice;
 use super::steering::Measured;
 use crate::alerts::Alert;
 use crate::geo::{Plane, Point, Position};
-use crate::limits::{Quantity, limits};
-use crate::picture::{Fix, Heard, Source};
+use crate::limits::Quantity;
+use crate::picture::{Fix, Heard, Picture, Source};
 use crate::post::Seen;
 use crate::settings::Settings;
 use crate::station::Profile;
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn, RudderAngle, SignedAngle, Speed};
+use crate::units::{Heading, RudderAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
-use compass::{Compasses, Doubt, Reading, Turning};
+use headings::Headings;
 use position::{PositionGuard, Said};
-use rate::RateGuard;
 use serde::{Deserialize, Serialize};
+pub(super) use sighted::Sighted;
 use source::Preferred;
 pub use source::Refused;
 use speed::{Measure, SpeedGuard};
@@ -36,131 +40,36 @@ use speed::{Measure, SpeedGuard};
 /// A rudder response that is off its order by more is no measure of the rudder that acts: the gear does not follow, or its
 /// feedback lies, and the gear says so (FA11).
 const NOT_FOLLOWED_DEG: f64 = 10.0;
-/// Below this speed a course over ground says nothing of the heading, knots.
-const STEERING_KNOTS: f64 = 3.0;
 
 /// What is believed of the ship, and how each of its sources is judged.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sight {
-    heading: Option<Heading>,
-    rate: RateOfTurn,
-    compasses: Compasses,
+    headings: Headings,
     /// Whether position, ground and water come from the preferred source.
     preferred: [Preferred; 3],
     positions: PositionGuard,
-    rates: RateGuard,
     speeds: SpeedGuard,
 }
 
-/// What happened as the sensors were looked at.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Sighted {
-    /// What is said of an alert.
-    Notice(Notice),
-    /// Another compass is in use; its heading differs by so much, and the ship has not turned (AP-9).
-    OtherCompass(SignedAngle),
-    /// There is a heading.
-    Heading,
-    /// There is none (FA7); one was heard that is not believed, or nothing.
-    NoHeading { heard: bool },
-    /// Another receiver is in use, and the plane has moved with it, metres (AP-9).
-    PlaneMoved(Point),
-    /// Whether the position is without differential correction (AP-7).
-    Uncorrected(bool),
-    /// The position in use jumped (FA9).
-    PositionJumped,
-}
-
 impl Sight {
+    /// The heading before anything is judged: the best that is heard.
+    pub(super) fn heard(
+        &self,
+        picture: &Picture,
+        now: Stamp,
+        settings: &Settings,
+    ) -> Option<Heading> {
+        self.headings.heard(picture, now, settings)
+    }
+
     /// Judges what is heard, once a step. `free`: nothing is steered, so the best source is taken at once.
     pub(super) fn look(&mut self, seen: Seen<'_>, settings: &Settings, free: bool) -> Vec<Sighted> {
         let mut sighted = Vec::with_capacity(12);
-        self.look_at_headings(seen, settings, free, &mut sighted);
+        self.headings.look(seen, settings, free, &mut sighted);
         self.look_at_positions(seen, settings, free, &mut sighted);
         self.watch_sources(seen, free, &mut sighted);
         self.look_at_speeds(seen, settings, free, &mut sighted);
         sighted
-    }
-
-    /// Heading and rate of turn (AP-9, FA7, FA8).
-    fn look_at_headings(
-        &mut self,
-        seen: Seen<'_>,
-        settings: &Settings,
-        free: bool,
-        sighted: &mut Vec<Sighted>,
-    ) {
-        let (now, picture) = (seen.now, seen.picture);
-        let rate = seen.fresh(picture.rate(now), Quantity::RateOfTurn);
-        let ground = seen.ground();
-        let believed = !self.rates.doubted();
-        let turning = Turning {
-            rate: rate.filter(|_| believed).unwrap_or(self.rate),
-            measured: rate.is_some() && believed,
-            course: ground
-                .filter(|ground| ground.speed.knots() > STEERING_KNOTS)
-                .and_then(|ground| ground.course),
-            dt: settings.step_ms() as f64 / 1000.0,
-        };
-        let readings: Vec<_> = picture
-            .headings
-            .iter()
-            .filter_map(|heard| {
-                Some(Reading {
-                    source: &heard.source,
-                    rank: picture.rank(&heard.source),
-                    said: seen.fresh(Some(heard), Quantity::Heading)?,
-                    age: now.since(heard.at) as f64 / 1000.0,
-                })
-            })
-            .collect();
-        let (before, source) = (self.heading, self.compasses.in_use().cloned());
-        let jump = settings.heading_jump;
-        self.heading = self.compasses.look(now, &readings, turning, jump, free);
-        let changed = source.is_some() && self.compasses.in_use() != source.as_ref();
-        let change = before.zip(self.heading).filter(|_| !changed);
-        self.rate = self.rates.judge(now, rate, change, self.rate, turning.dt);
-        sighted.push(Sighted::Notice(self.what_the_rate_does(seen)));
-        if let (true, Some(before), Some(after)) = (changed, before, self.heading) {
-            sighted.push(Sighted::OtherCompass(after - before));
-        }
-        sighted.extend(self.what_compasses_do(seen).map(Sighted::Notice));
-        let heard = !readings.is_empty();
-        if self.heading.is_some() {
-            sighted.push(Sighted::Heading);
-        } else if !recovers(seen) {
-            sighted.push(Sighted::NoHeading { heard });
-        }
-    }
-
-    fn what_compasses_do(&self, seen: Seen<'_>) -> [Notice; 3] {
-        let name = |source: &Source| seen.picture.source_name(source);
-        let list = |doubt: Doubt| {
-            let doubted = self.compasses.doubted().filter(|(_, why)| *why == doubt);
-            doubted
-                .map(|(source, _)| name(source))
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
-        let mut jumped = list(Doubt::Jumped);
-        let (stuck, drifts) = (list(Doubt::Stuck), list(Doubt::Drifts));
-        if jumped.is_empty() {
-            jumped = drifts;
-        }
-        let fallen = self.compasses.fallen_from().map(name);
-        let left = fallen.map(|left| {
-            let used = self.compasses.in_use().map(name).unwrap_or_default();
-            format!("Heading from {used} instead of {left}")
-        });
-        let text = |what: String| {
-            let text = || format!("The heading of {what} is not used: check the compass");
-            (!what.is_empty()).then(text)
-        };
-        [
-            Notice::of(Alert::HeadingJump, text(jumped)),
-            Notice::of(Alert::HeadingStuck, text(stuck)),
-            Notice::of(Alert::HeadingSource, left),
-        ]
     }
 
     /// The believed place (AP-9, AP-16, FA9).
@@ -240,19 +149,6 @@ impl Sight {
         sighted.extend(said.map(Sighted::Notice));
     }
 
-    /// AP-9: a rate of turn that is calculated, though a sensor says one, is said.
-    fn what_the_rate_does(&self, seen: Seen<'_>) -> Notice {
-        let text = || {
-            let rate = seen.picture.rate(seen.now);
-            let name = rate.map(|rate| seen.picture.source_name(&rate.source));
-            format!(
-                "Rate of turn of {} is not used: the heading goes another way. It is calculated",
-                name.unwrap_or_default()
-            )
-        };
-        Notice::of(Alert::RateOfTurn, self.rates.doubted().then(text))
-    }
-
     /// AP-9: a change of source that nobody ordered is said, until the better one is back.
     fn watch_sources(&mut self, seen: Seen<'_>, free: bool, sighted: &mut Vec<Sighted>) {
         let (now, picture) = (seen.now, seen.picture);
@@ -321,7 +217,7 @@ impl Sight {
         if !ours || (forward, starboard) == (0.0, 0.0) {
             return Some(heard.value.position);
         }
-        let bow = self.heading?.deg();
+        let bow = self.headings.heading?.deg();
         let there = Point::default()
             .towards(bow, forward)
             .towards(bow + 90.0, starboard);
@@ -337,7 +233,7 @@ impl Sight {
 
     /// Heading that is believed: of the compass in use, or its prediction while that stands in; absent where none is.
     pub(super) const fn heading(&self) -> Option<Heading> {
-        self.heading
+        self.headings.heading
     }
 
     /// Where the ship is: carried on from the last good fix, for at most 5 s.
@@ -373,23 +269,17 @@ impl Sight {
         settings: &Settings,
         order: RudderAngle,
     ) -> Option<Measured> {
-        let ground = seen.ground();
+        // A course over ground is of true north: beside a magnetic heading it would tell of a drift that is none.
+        let ground = seen.ground().filter(|_| !self.is_magnetic());
         let follows =
             |response: &RudderAngle| libm::fabs(response.deg() - order.deg()) <= NOT_FOLLOWED_DEG;
         Some(Measured {
-            heading: self.heading?,
-            rate: self.rate,
+            heading: self.headings.heading?,
+            rate: self.headings.rate,
             rudder: seen.rudder().filter(follows),
             water_speed: Some(self.speed(settings)),
             ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
             position: self.positions.fix(seen.now),
         })
     }
-}
-
-/// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.
-fn recovers(seen: Seen<'_>) -> bool {
-    let (_, lost) = limits(Quantity::Heading);
-    seen.stalled_at()
-        .is_some_and(|after| seen.now.since(after) <= lost)
 }

@@ -91,7 +91,7 @@ sentences! {
         zone_hours: number(ZONE_HOURS) "Hours of the local zone; not used.",
         zone_minutes: number(ZONE_MINUTES) "Minutes of the local zone; not used.",
     }
-    gns = "GNS" b'$' [13, 12] "GNSS fix data", "IEC 61162-1 GNS" {
+    gns as Gns = "GNS" b'$' [13, 12] "GNSS fix data", "IEC 61162-1 GNS" {
         time: time() "UTC of the position.",
         position: position(5) "Position.",
         modes: letters(ModeIndicator, 8) "Mode indicator of each system: GPS, GLONASS, Galileo and further ones.",
