@@ -55,7 +55,7 @@ fn main() {
             }),
         };
         let wanted = steering.step(&measured, &demand, limit, gear.given(), 0.1);
-        black_box(gear.steer(&wanted, limit, steering.settings(), 0.1));
+        black_box(gear.steer(&wanted, limit, steering.ship(), 0.1));
     });
 
     let mut hull = Hull::running(0.0, 7.7);

@@ -94,7 +94,7 @@ fn farthest(gain: f64, time: f64, length: f64, knots: f64) -> f64 {
         let (measured, limit) = (ship.measured(), RudderAngle::from_deg(35.0));
         let demand = Demand::Track(path);
         let wanted = steering.step(&measured, &demand, limit, gear.given(), 0.1);
-        let steered = gear.steer(&wanted, limit, steering.settings(), 0.1);
+        let steered = gear.steer(&wanted, limit, steering.ship(), 0.1);
         assert!((steered.order.deg() - last).abs() <= 0.3 + 1e-9);
         last = steered.order.deg();
         ship.step(steered.order, 0.1);
@@ -141,7 +141,7 @@ fn a_ship_of_whom_nothing_is_known_comes_to_her_heading_and_keeps_it() {
         for step in 0..9_000 {
             let (measured, limit) = (ship.measured(), RudderAngle::from_deg(20.0));
             let wanted = steering.step(&measured, &demand, limit, gear.given(), 0.1);
-            let steered = gear.steer(&wanted, limit, steering.settings(), 0.1);
+            let steered = gear.steer(&wanted, limit, steering.ship(), 0.1);
             ship.step(steered.order, 0.1);
             most = most.max(ship.heading.to_degrees());
             if step > 6_000 {

@@ -85,10 +85,10 @@ impl Sea {
         let limit = RudderAngle::from_deg(self.limit);
         let given = self.gear.given();
         let wanted = self.steering.step(measured, demand, limit, given, 0.1);
-        let ship = self.steering.settings();
+        let ship = self.steering.ship();
         let steered = self.gear.steer(&wanted, limit, ship, 0.1);
         let order = steered.order.deg();
-        let slew = self.steering.settings().slew * 0.1;
+        let slew = self.steering.ship().slew * 0.1;
         assert!(
             (order - self.last_order).abs() <= slew + 1e-9,
             "step {}",
@@ -197,7 +197,7 @@ fn sail_turn(knots: f64, set: f64, drift: f64, radius_nm: f64, course_out: f64) 
     loop {
         let at = turn.progress(sea.place());
         let speed = sea.ground.map_or(7.7, |(_, speed)| speed.mps());
-        let forwarding = sea.steering.settings().forwarding_time() * speed;
+        let forwarding = sea.steering.ship().forwarding_time() * speed;
         let path = if at.along < -forwarding {
             Path::leg(Point::default(), first)
         } else if at.along < turn.arc_length() {

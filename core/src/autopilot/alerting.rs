@@ -2,7 +2,7 @@
 
 use super::notices::Notice;
 use crate::alerts::{Alert, Alerts, State};
-use crate::nmea::{AcknowledgeState, AlarmCondition, Alr};
+use crate::nmea::{Ack, AcknowledgeState, AlarmCondition, Alr, Sentence};
 use crate::post::Post;
 use crate::station::{Output, PortIndex, Role};
 use crate::talk::{self, Row, Saying, Share};
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// Alerts, and the reports that wait for their share of the line.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Alerting {
-    pub(super) machine: Alerts,
+    machine: Alerts,
     waiting: VecDeque<Alert>,
     share: Share,
 }
@@ -45,6 +45,7 @@ impl Alerting {
         match notice {
             Notice::Raised(alert, text) => self.machine.raise(now, alert, &text),
             Notice::Rectified(alert) => self.machine.rectify(now, alert),
+            Notice::Retold(alert, text) => self.machine.retext(alert, &text),
         }
     }
 
@@ -53,12 +54,22 @@ impl Alerting {
         self.machine.acknowledge(now, number)
     }
 
-    /// Silences everything that sounds, or lets it sound again.
-    pub(super) fn silence(&mut self, now: Stamp, silent: bool) {
+    /// The chart system acknowledges.
+    pub(super) fn on_ack(&mut self, now: Stamp, sentence: &Sentence<'_>) {
+        let number = Ack::from_sentence(sentence).and_then(|ack| ack.number);
+        if let Some(number) = number.and_then(|number| u16::try_from(number).ok()) {
+            self.acknowledge(now, number);
+        }
+    }
+
+    /// Silences everything that sounds, or lets it sound again; the answer to it.
+    pub(super) fn silence(&mut self, now: Stamp, silent: bool) -> &'static str {
         if silent {
             self.machine.silence(now);
+            "silenced for 30 s"
         } else {
             self.machine.sound_again();
+            "alerts sound again"
         }
     }
 

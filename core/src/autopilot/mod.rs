@@ -1,53 +1,52 @@
 //! The autopilot station: bytes, commands and time in; rudder orders, reports and alerts out.
 //!
-//! Every control step (10 Hz, AP-15): picture -> supervision -> mode -> steering -> order. Everything
-//! the step uses is at most as old as [`crate::limits`] allows.
+//! It is its parts, and joins them: `post` hears and says, `sight` judges the sensors, `modes` decides what is steered and
+//! why, `steering` which rudder that wants, `gear` makes the order of it and watches the rudder, `alerts` keeps what is
+//! said of all this. Each owns its state and its timers, is told what it needs, and gives back what happened; none knows
+//! another. Every control step (10 Hz, AP-15) is `step` below. Everything it uses is at most as old as [`crate::limits`]
+//! allows.
 //!
 //! **Invariant:** orders leave only in a mode that gives them, within limit and slew, and the operator's
 //! STANDBY is always granted.
 
 mod alerting;
+mod facts;
 pub mod gear;
 mod modes;
 mod notices;
-mod operator;
 mod readings;
 mod remote;
 mod report;
-mod selection;
 mod sight;
 pub mod steering;
 
 use crate::alerts::Alert;
-use crate::limits::Quantity;
-use crate::nmea::{self, Sentence};
-use crate::picture::Heard;
+use crate::command::{Order, Refusal};
+use crate::nmea::Sentence;
 use crate::post::{self, Post, Station};
 use crate::settings::Settings;
 use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
-use crate::talk::{SECOND_MS, When};
+use crate::talk::{self, SECOND_MS, When};
 use crate::time::Stamp;
 use crate::timers::Timers;
-use crate::units::{Heading, RudderAngle};
+use crate::units::RudderAngle;
 use alerting::Alerting;
 use alloc::format;
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use alloc::vec::Vec;
-use gear::Gear;
+use facts::Outlook;
+use gear::{Follows, Gear};
+use modes::Modes;
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Finish, Mode, ModeName, RudderHold, Standby,
     document as modes_document,
 };
-use modes::{Cause, Event, Facts, Need, Row};
-use notices::Notice;
-use remote::Remote;
+use notices::{Notice, Notices};
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
 use sight::{Sight, Sighted};
-use steering::{Measured, Steering, SteeringSettings};
+use steering::{Steering, SteeringSettings};
 
-/// A selection of AutoNAV that waits for the chart system (AP-6).
-pub const CONFIRM_MS: u64 = 20_000;
 /// A control loop that kept its time for so long has recovered (FA16).
 const STALL_OVER_MS: u64 = 10_000;
 
@@ -56,20 +55,16 @@ const STALL_OVER_MS: u64 = 10_000;
 pub struct Autopilot {
     post: Post,
     sight: Sight,
-    alerts: Alerting,
-    settings: Settings,
+    modes: Modes,
     steering: Steering,
     gear: Gear,
-    mode: Mode,
-    why: String,
-    remote: Remote,
+    alerts: Alerting,
+    settings: Settings,
     timers: Timers<Timer>,
-    /// How near the heading to steer she has come since she was off it, degrees, and that heading.
-    nearest: Option<(f64, Heading)>,
     now: Stamp,
 }
 
-/// The autopilot's own times. What ends with a mode stands in the mode.
+/// The station's own times; each part has those of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Timer {
     /// When the next control step is due.
@@ -78,8 +73,6 @@ enum Timer {
     Second,
     /// Since when the control loop keeps its time again (FA16).
     Stalled,
-    /// Since when the ship is off the set heading (AP-5).
-    OffHeading,
 }
 
 impl Autopilot {
@@ -92,16 +85,13 @@ impl Autopilot {
         now: Stamp,
     ) -> Self {
         Self {
-            steering: Steering::of(named_ship, &settings),
-            gear: Gear::default(),
             post: Post::new(Role::Autopilot, ports),
             sight: Sight::default(),
+            modes: Modes::new(),
+            steering: Steering::of(named_ship, &settings),
+            gear: Gear::default(),
             alerts: Alerting::new(),
             settings,
-            mode: Mode::STANDBY,
-            why: "start-up".into(),
-            remote: Remote::default(),
-            nearest: None,
             timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + SECOND_MS)]),
             now,
         }
@@ -138,9 +128,11 @@ impl Autopilot {
         }
         self.timers.set(Timer::Second, second);
         let text = format!("the control loop was {ms} ms late");
-        self.alerts.machine.raise(now, Alert::Stalled, &text);
+        (self.alerts).take(now, Notice::Raised(Alert::Stalled, text));
         self.timers.set(Timer::Stalled, now);
-        self.fail_if_old(now);
+        self.decide(now, |modes, outlook, notices| {
+            modes.fail_if_old(outlook, notices)
+        });
     }
 
     /// What time alone does next, a step before the reports; both timers always run.
@@ -159,48 +151,45 @@ impl Autopilot {
             } else {
                 self.timers.set(timer, at + SECOND_MS);
                 self.report(at, When::Every(SECOND_MS), out);
-                self.report_monitor(at, out);
+                // HMS: each 30 s, and when what is set has changed (AP-10).
+                if self.sight.hms_is_due(at, talk::HMS_MS) {
+                    self.report(at, When::Renewed(talk::HMS_MS), out);
+                }
             }
         }
         self.now = now;
     }
 
-    /// One control step.
+    /// One control step: what is heard, what is believed of it, what is steered and why, the order, what is said.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         post::time_out(self, now, out);
-        self.alerts.tick(now);
-        // The stall is over once the loop has kept its time for a while.
-        let stalled = self.timers.at(Timer::Stalled);
-        if stalled.is_some_and(|at| now.since(at) >= STALL_OVER_MS) {
-            self.timers.stop(Timer::Stalled);
-            self.alerts.machine.rectify(now, Alert::Stalled);
-        }
-        let unknown = Notice::when(!self.steering.settings().known, Alert::ShipUnknown);
-        self.alerts.take(now, unknown);
+        self.keep_time(now);
         self.look(now);
-        self.supervise(now);
-        match (self.mode.demand(&self.facts(now)), self.measured()) {
-            (Some(demand), Some(measured)) => {
-                let limit = RudderAngle::from_deg(self.rudder_limit());
-                let dt = self.settings.step_ms() as f64 / 1000.0;
-                let given = self.gear.given();
-                let wanted = self.steering.step(&measured, &demand, limit, given, dt);
-                self.gear
-                    .steer(&wanted, limit, self.steering.settings(), dt);
-            }
-            _ => self.gear.freeze(), // FA7
-        }
-        self.watch_rudder(now);
-        self.watch_heading(now);
+        self.decide(now, |modes, outlook, notices| {
+            modes.supervise(outlook, notices);
+        });
+        self.steer(now);
+        self.watch(now);
         self.report(now, When::Step, out);
         let step_ms = self.settings.step_ms();
         self.alerts.report(now, step_ms, &mut self.post, out);
     }
 
+    /// What time alone changes of the alerts; a stall is over once the loop has kept its time for a while (FA16).
+    fn keep_time(&mut self, now: Stamp) {
+        self.alerts.tick(now);
+        let stalled = self.timers.at(Timer::Stalled);
+        if stalled.is_some_and(|at| now.since(at) >= STALL_OVER_MS) {
+            self.timers.stop(Timer::Stalled);
+            self.alerts.take(now, Notice::Rectified(Alert::Stalled));
+        }
+        let unknown = !self.steering.ship().known;
+        (self.alerts).take(now, Notice::when(unknown, Alert::ShipUnknown));
+    }
+
     /// Looks at the sensors; what happened to them is taken in its order (AP-9, FA7 to FA9).
     fn look(&mut self, now: Stamp) {
-        let free = !self.mode.row().gives_orders();
-        let seen = self.post.seen(now);
+        let (seen, free) = (self.post.seen(now), !self.modes.gives_orders());
         for sighted in self.sight.look(seen, &self.settings, free) {
             match sighted {
                 Sighted::Notice(notice) => self.alerts.take(now, notice),
@@ -208,86 +197,170 @@ impl Autopilot {
                     self.steering.another_compass(change);
                     self.gear.join();
                 }
-                Sighted::Heading => {
-                    if !matches!(self.mode, Mode::RudderHold(_)) {
-                        self.alerts.machine.rectify(now, Alert::HeadingLost);
-                    }
-                }
-                Sighted::NoHeading { heard } => {
-                    if self.mode.row().needs(Need::Heading) {
-                        let why = if heard {
-                            "the heading jumped: rudder held"
-                        } else {
-                            "no heading for 2 s: rudder held"
-                        };
-                        self.alerts.machine.raise(now, Alert::HeadingLost, "");
-                        self.apply(now, &Event::HeadingLost, why);
-                    }
-                }
-                Sighted::PlaneMoved(by) => {
-                    if let Some(offset) = &mut self.remote.offset {
-                        // The chart system's places have not moved with the plane.
-                        offset.north += by.north;
-                        offset.east += by.east;
-                    }
-                }
-                Sighted::Uncorrected(plain) => {
-                    let plain = plain && self.mode.is_autonav();
-                    self.alerts
-                        .machine
-                        .set(now, Alert::NoDifferential, plain, "");
-                }
-                Sighted::PositionJumped => {
-                    if matches!(self.mode, Mode::AutonavTi(_)) {
-                        self.track_fail(now, Cause::PositionJump, "the position jumped");
-                    }
-                }
+                Sighted::Heading => self.decide(now, |modes, _, notices| {
+                    modes.heading_there(notices);
+                }),
+                Sighted::NoHeading { heard } => self.decide(now, |modes, outlook, notices| {
+                    modes.heading_lost(outlook, heard, notices);
+                }),
+                Sighted::PlaneMoved(by) => self.modes.plane_moved(by),
+                Sighted::Uncorrected(plain) => self.decide(now, |modes, _, notices| {
+                    modes.uncorrected(plain, notices);
+                }),
+                Sighted::PositionJumped => self.decide(now, |modes, outlook, notices| {
+                    modes.position_jumped(outlook, notices);
+                }),
             }
         }
-        self.recentre();
+        self.recentre(now);
     }
 
-    /// A heard value that is fresh and was heard since the last stall.
-    fn fresh<T: Clone>(&self, heard: Option<&Heard<T>>, quantity: Quantity) -> Option<T> {
-        self.post.seen(self.now).fresh(heard, quantity)
-    }
-
-    fn measured(&self) -> Option<Measured> {
-        let seen = self.post.seen(self.now);
-        self.sight.measured(seen, &self.settings, self.gear.order())
-    }
-
-    /// Takes a transition; the order does not jump (FA6).
-    fn apply(&mut self, now: Stamp, event: &Event, why: &str) {
-        let before = self.mode.row();
-        self.mode = self.mode.next(event, &self.facts(now));
-        self.why = why.to_string();
-        // While orders are given the steering joins one law to the next by itself; else it begins anew.
-        let steers = |row: &Row| row.needs(Need::Heading);
-        if !steers(before) && steers(self.mode.row()) {
-            // The gear stands where the hand left it.
-            let left = self.fresh(self.post.picture.rudder.as_ref(), Quantity::Rudder);
-            let left = left.filter(|_| !before.gives_orders());
-            self.gear.engage(left.unwrap_or(self.gear.order()));
-            if let Some(measured) = self.measured() {
-                self.steering.engage(&measured);
-            }
+    /// Lays the local plane anew where the ship is, as soon as the mode lets it move.
+    fn recentre(&mut self, now: Stamp) {
+        let Some(metres) = self.modes.plane_m() else {
+            return;
+        };
+        let Some(old) = self.sight.recentre(metres) else {
+            return;
+        };
+        if let Some(new) = self.sight.plane() {
+            self.modes.carry(&|point| new.point(old.position(point)));
+            self.engage(now, self.gear.order());
         }
     }
 
-    /// What modes know of the ship and of what is set.
-    fn facts(&self, now: Stamp) -> Facts {
-        Facts {
+    /// The modes, and what they decide by.
+    fn modes_and_outlook(&mut self, now: Stamp) -> (&mut Modes, Outlook<'_>) {
+        let outlook = Outlook::at(
             now,
-            heading: self
-                .sight
-                .heading()
-                .or_else(|| self.sight.heard(&self.post.picture, now, &self.settings))
-                .unwrap_or(Heading::from_deg(0.0)),
-            order: self.gear.order(),
-            place: self.sight.long_place(now),
-            steered: self.gear.steered().copied(),
-            settings: self.settings.clone(),
+            &self.post,
+            &self.sight,
+            &self.steering,
+            &self.gear,
+            &self.settings,
+        );
+        (&mut self.modes, outlook)
+    }
+
+    /// Has the modes decide something by all that is known; an order does not jump by it (FA6).
+    fn decide<R>(
+        &mut self,
+        now: Stamp,
+        act: impl FnOnce(&mut Modes, &Outlook<'_>, &mut Notices) -> R,
+    ) -> R {
+        let (steered, ordered) = (self.modes.steers(), self.modes.gives_orders());
+        let mut notices = Notices::default();
+        let (modes, outlook) = self.modes_and_outlook(now);
+        let decided = act(modes, &outlook, &mut notices);
+        for notice in notices {
+            self.alerts.take(now, notice);
+        }
+        // While orders are given the steering joins one law to the next by itself; else it begins anew.
+        if !steered && self.modes.steers() {
+            // The gear stands where the hand left it.
+            let left = self.post.seen(now).rudder().filter(|_| !ordered);
+            self.engage(now, left.unwrap_or(self.gear.order()));
+        }
+        decided
+    }
+
+    /// Steering and gear begin anew at an order.
+    fn engage(&mut self, now: Stamp, order: RudderAngle) {
+        self.gear.engage(order);
+        let (_, outlook) = self.modes_and_outlook(now);
+        if let Some(measured) = outlook.measured() {
+            self.steering.engage(&measured);
+        }
+    }
+
+    /// What is demanded becomes an order; without a demand, or a heading, the order is frozen (FA7).
+    fn steer(&mut self, now: Stamp) {
+        let (modes, outlook) = self.modes_and_outlook(now);
+        let (demand, measured) = (modes.demand(&outlook.facts), outlook.measured());
+        let (Some(demand), Some(measured)) = (demand, measured) else {
+            self.gear.freeze();
+            return;
+        };
+        let limit = RudderAngle::from_deg(self.modes.limit(&self.settings));
+        let dt = self.settings.step_ms() as f64 / 1000.0;
+        let given = self.gear.given();
+        let wanted = (self.steering).step(&measured, &demand, limit, given, dt);
+        self.gear.steer(&wanted, limit, self.steering.ship(), dt);
+    }
+
+    /// What became of the order: the rudder follows it (FA11, AP-4), the ship comes to her heading (AP-5).
+    fn watch(&mut self, now: Stamp) {
+        let has_gear =
+            (self.post.ports().iter()).any(|port| port.profile == Profile::Gear && port.output);
+        let order = self.modes.order(self.gear.order()).filter(|_| has_gear);
+        let response = self.post.seen(now).rudder();
+        let slew = self.settings.rudder_slew;
+        match self.gear.watch(now, order, response, slew) {
+            Follows::Yes => self.alerts.take(now, Notice::Rectified(Alert::Rudder)),
+            Follows::NotYet => {}
+            Follows::No(why) => {
+                (self.alerts).take(now, Notice::Raised(Alert::Rudder, why.into()));
+            }
+        }
+        self.decide(now, |modes, outlook, notices| {
+            let off = modes.is_off_heading(outlook);
+            notices.tell(Alert::OffHeading, off.then(String::new));
+        });
+    }
+
+    /// What is due on each port, by the table: once a second, or in a control step.
+    fn report(&mut self, now: Stamp, due: When, out: &mut Vec<Output>) {
+        for port in 0..self.post.ports().len() {
+            let profile = self.post.ports()[port].profile;
+            let rows = talk::told(Role::Autopilot, profile).iter();
+            for row in rows.filter(|row| row.when == due) {
+                let followed = !self.alerts.raised(Alert::Rudder);
+                let (modes, outlook) = self.modes_and_outlook(now);
+                if let Some(line) = report::line(row, modes, &outlook, followed) {
+                    self.post.say(now, port, &line, out);
+                }
+            }
+        }
+    }
+
+    /// Does what the operator asks, or says why not; his STANDBY is always granted (AP-6, HTC-4).
+    fn obey(&mut self, now: Stamp, order: &Order, out: &mut Vec<Output>) {
+        let answer = self.carry_out(now, order);
+        match (&answer, order) {
+            (Err(refusal), _) => self.modes.refuse(&refusal.text),
+            (Ok(_), Order::Setting { key, value }) => out.push(Output::Persist {
+                key: key.clone(),
+                value: value.clone(),
+            }),
+            (Ok(_), _) => {}
+        }
+        out.push(Output::Answer(answer));
+    }
+
+    fn carry_out(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
+        match order {
+            Order::Mode(request) => self.decide(now, |modes, outlook, notices| {
+                modes.request(outlook, *request, notices)
+            }),
+            Order::SetHeading(degrees) => self.decide(now, |modes, outlook, _| {
+                modes.request_heading(outlook, *degrees)
+            }),
+            Order::AdjustHeading(degrees) => self.decide(now, |modes, outlook, _| {
+                modes.request_change(outlook, *degrees)
+            }),
+            Order::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
+                Ok(format!("alert {number} acknowledged"))
+            }
+            Order::Acknowledge(number) => Err(Refusal::because(format!(
+                "alert {number} waits for no acknowledgement"
+            ))),
+            Order::Silence(silent) => Ok(self.alerts.silence(now, *silent).into()),
+            Order::Setting { key, value } => {
+                self.settings.set(key, value).map_err(Refusal::because)?;
+                self.steering.change(&self.settings);
+                Ok(format!("{key} is {value}"))
+            }
+            _ => Err(Refusal::because("not a command to the autopilot")),
         }
     }
 }
@@ -302,14 +375,13 @@ impl Station for Autopilot {
             return;
         }
         match sentence.formatter {
-            "HTC" => self.on_htc(now, port, sentence),
-            "XTE" | "PNEY,001" | "PNEY,002" => self.on_distance(now, sentence, true),
-            "ACK" => {
-                let number = nmea::Ack::from_sentence(sentence).and_then(|ack| ack.number);
-                if let Some(number) = number.and_then(|number| u16::try_from(number).ok()) {
-                    self.alerts.acknowledge(now, number);
-                }
-            }
+            "HTC" => self.decide(now, |modes, outlook, notices| {
+                modes.on_htc(outlook, port, sentence, notices);
+            }),
+            "XTE" | "PNEY,001" | "PNEY,002" => self.decide(now, |modes, outlook, _| {
+                modes.on_distance(outlook, sentence, true);
+            }),
+            "ACK" => self.alerts.on_ack(now, sentence),
             _ => {}
         }
     }
@@ -317,8 +389,10 @@ impl Station for Autopilot {
     fn refused(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
         let profile = self.post.ports().get(port).map(|port| port.profile);
         match (profile, sentence.formatter) {
-            (Some(Profile::Ecdis), "HTC") => self.on_broken_htc(now),
-            (Some(Profile::Ecdis), _) => self.on_distance(now, sentence, false),
+            (Some(Profile::Ecdis), "HTC") => self.modes.on_broken_htc(now),
+            (Some(Profile::Ecdis), _) => self.decide(now, |modes, outlook, _| {
+                modes.on_distance(outlook, sentence, false);
+            }),
             _ => {}
         }
     }

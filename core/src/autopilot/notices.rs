@@ -2,6 +2,7 @@
 
 use crate::alerts::Alert;
 use alloc::string::String;
+use alloc::vec::Vec;
 
 /// What is said of one alert.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +11,8 @@ pub(super) enum Notice {
     Raised(Alert, String),
     /// Its condition is over.
     Rectified(Alert),
+    /// A raised one has a better text.
+    Retold(Alert, String),
 }
 
 impl Notice {
@@ -21,5 +24,40 @@ impl Notice {
     /// Raised as `condition` says.
     pub(super) fn when(condition: bool, alert: Alert) -> Self {
         Self::of(alert, condition.then(String::new))
+    }
+}
+
+/// Notices for the machine that keeps the alerts.
+#[derive(Debug, Default)]
+pub(super) struct Notices(Vec<Notice>);
+
+impl Notices {
+    /// An alert is raised; an empty text is the table's.
+    pub(super) fn raise(&mut self, alert: Alert, text: impl Into<String>) {
+        self.0.push(Notice::Raised(alert, text.into()));
+    }
+
+    /// The condition of an alert is over.
+    pub(super) fn rectify(&mut self, alert: Alert) {
+        self.0.push(Notice::Rectified(alert));
+    }
+
+    /// Raised with what happened, or over where nothing did.
+    pub(super) fn tell(&mut self, alert: Alert, happened: Option<String>) {
+        self.0.push(Notice::of(alert, happened));
+    }
+
+    /// A raised alert has a better text.
+    pub(super) fn retell(&mut self, alert: Alert, text: impl Into<String>) {
+        self.0.push(Notice::Retold(alert, text.into()));
+    }
+}
+
+impl IntoIterator for Notices {
+    type Item = Notice;
+    type IntoIter = alloc::vec::IntoIter<Notice>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
     }
 }

@@ -1,12 +1,15 @@
 //! What can be read of the autopilot: its mode and why, what it steers, what it has heard.
 
 use super::Timer;
+use super::facts::Outlook;
 use super::gear::Steered;
 use super::sight::Refused;
-use super::{Autopilot, Mode};
-use crate::alerts::{Alert, Alerts};
+use super::{Autopilot, Mode, ModeName};
+use crate::alerts::{Alert, Alerts, Standing};
+use crate::command::{ModeRequest, Refusal};
 use crate::facts::Quantity;
 use crate::geo::Position;
+use crate::path::Part;
 use crate::picture::{Picture, Source};
 use crate::settings::Settings;
 use crate::time::Stamp;
@@ -15,10 +18,61 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 impl Autopilot {
+    /// All that is known at `now`.
+    fn outlook(&self, now: Stamp) -> Outlook<'_> {
+        Outlook::at(
+            now,
+            &self.post,
+            &self.sight,
+            &self.steering,
+            &self.gear,
+            &self.settings,
+        )
+    }
+
     /// Heading to steer in force.
     #[must_use]
     pub fn hts(&self) -> Option<Heading> {
-        self.mode.hts(&self.facts(self.now))
+        self.modes.mode().state().hts(&self.outlook(self.now).facts)
+    }
+
+    /// Whether a mode may be asked for now, or why not; STANDBY always (AP-25). A press and the page's button ask this one.
+    ///
+    /// # Errors
+    /// The first need that the selection is refused without, in an officer's words (AP-6).
+    pub fn may_select(&self, now: Stamp, request: ModeRequest) -> Result<(), Refusal> {
+        self.modes.may_select(&self.outlook(now), request)
+    }
+
+    /// What a pending selection still waits for, in an officer's words.
+    #[must_use]
+    pub fn waits_for(&self, now: Stamp) -> String {
+        self.modes.waits_for(&self.outlook(now))
+    }
+
+    /// What a pending selection will be; Ti until the chart system has said.
+    #[must_use]
+    pub fn pending_mode(&self, now: Stamp) -> ModeName {
+        self.modes.pending_mode(&self.outlook(now))
+    }
+
+    /// What an alert says. TRACK FAIL tells what steers now, so it changes with the mode.
+    #[must_use]
+    pub fn text_of(&self, standing: &Standing) -> String {
+        self.modes.text_of(standing)
+    }
+
+    /// Farther off the track is an alarm, metres: by the corridor that HTC gives, else by the setting.
+    #[must_use]
+    pub fn off_track_limit(&self, now: Stamp) -> f64 {
+        self.modes.off_track_limit(&self.outlook(now))
+    }
+
+    /// Where the ship is on the commanded path.
+    #[must_use]
+    pub fn part(&self, now: Stamp) -> Option<Part> {
+        let path = self.modes.mode().state().path()?;
+        Some(path.progress(self.sight.place(now)?).part)
     }
 
     /// The picture of what is heard and sent.
@@ -30,13 +84,13 @@ impl Autopilot {
     /// Until when an AutoNAV selection waits for its confirmation.
     #[must_use]
     pub const fn pending(&self) -> Option<Stamp> {
-        self.mode.selected_until()
+        self.modes.pending()
     }
 
     /// Why the mode is what it is: last refusal or cause, in an officer's words.
     #[must_use]
     pub fn why(&self) -> &str {
-        &self.why
+        self.modes.why()
     }
 
     /// What the steering gave in the last step; absent where no order was computed.
@@ -60,7 +114,7 @@ impl Autopilot {
     /// Its mode.
     #[must_use]
     pub fn mode(&self) -> &Mode {
-        &self.mode
+        self.modes.mode()
     }
 
     /// The heading that is believed: of the compass in use, or its prediction while that stands in; absent where none is.
@@ -85,7 +139,7 @@ impl Autopilot {
     /// The position that is believed: of the receiver in use, carried on; absent 5 s after its last good fix.
     #[must_use]
     pub fn believed_position(&self, now: Stamp) -> Option<Position> {
-        self.sight.position(now)
+        self.sight.believed_position(now)
     }
 
     /// The compass in use.
@@ -125,12 +179,12 @@ impl Autopilot {
     /// Rudder order in force; absent where none is given.
     #[must_use]
     pub fn rudder_order(&self) -> Option<RudderAngle> {
-        self.mode.row().gives_orders().then_some(self.gear.order())
+        self.modes.order(self.gear.order())
     }
 
     /// Rudder limit in force, degrees; in STANDBY the one that AUTO will have.
     #[must_use]
     pub const fn rudder_limit(&self) -> f64 {
-        self.mode.row().rudder_limit(&self.settings)
+        self.modes.limit(&self.settings)
     }
 }

@@ -112,7 +112,7 @@ impl<'a> BenchRun<'a> {
         let limit = RudderAngle::from_deg(self.bench.rudder_limit());
         let given = self.gear.given();
         let wanted = (self.steering).step(&measured, &demand, limit, given, STEP);
-        let ship = self.steering.settings();
+        let ship = self.steering.ship();
         let steered = self.gear.steer(&wanted, limit, ship, STEP);
         let sample = Sample {
             time: self.steps as f64 * STEP,
@@ -184,7 +184,7 @@ impl<'a> BenchRun<'a> {
                     self.stage = Stage::Arc(i);
                 }
                 let speed = measured.ground.map_or(0.0, |(_, speed)| speed.mps());
-                let forwarding = speed * self.steering.settings().forwarding_time();
+                let forwarding = speed * self.steering.ship().forwarding_time();
                 if along >= -forwarding {
                     path
                 } else {

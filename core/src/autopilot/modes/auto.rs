@@ -1,14 +1,16 @@
 //! AUTO: heading control; also how a lost turn is finished, and where AutoNAV is selected from (AP-1, AP-6, TCS-8).
 
 use super::need::Need;
-use super::state::{Facts, State};
+use super::state::{Listed, PLANE_M, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
+use crate::autopilot::facts::Facts;
 use crate::autopilot::steering::{Demand, TurnBy};
 use crate::nmea::{Htd, SteeringMode};
 use crate::path::{Part, Path};
 use crate::settings::SteeringBy;
 use crate::time::Stamp;
 use crate::units::{Heading, Radius, RateOfTurn};
+use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// What AUTO steers, and what waits in it.
@@ -53,7 +55,7 @@ impl Auto {
     }
 }
 
-impl State for Auto {
+impl Listed for Auto {
     const ROW: Row = Row {
         name: ModeName::Auto,
         title: "AUTO",
@@ -63,9 +65,28 @@ impl State for Auto {
         on_loss: OnLoss::RudderHold,
         limit: Limit::Set,
         htd: SteeringMode::StandAlone,
+        commanded: None,
+        steers: "AUTO steers, SWITCH TO AUTO",
     };
 
-    fn demand(&mut self, facts: &Facts) -> Option<Demand> {
+    fn examples() -> Vec<(&'static str, Self)> {
+        let heading = Heading::from_deg(0.0);
+        let finish = Finish {
+            by: TurnBy::Radius(Radius::from_nm(1.0)),
+            wait: None,
+        };
+        alloc::vec![
+            ("AUTO", Self::on(heading)),
+            (
+                "AUTO that finishes a turn",
+                Self::finishing(heading, finish)
+            ),
+        ]
+    }
+}
+
+impl State for Auto {
+    fn demand(&mut self, facts: &Facts<'_>) -> Option<Demand> {
         if let Some(Finish {
             by,
             wait: Some(path),
@@ -90,15 +111,27 @@ impl State for Auto {
         })
     }
 
-    fn hts(&self, _: &Facts) -> Option<Heading> {
+    fn hts(&self, _: &Facts<'_>) -> Option<Heading> {
         Some(self.set)
     }
 
-    fn htd(&self, facts: &Facts, htd: &mut Htd) {
+    fn htd(&self, facts: &Facts<'_>, htd: &mut Htd) {
         let settings = &facts.settings;
         match settings.steering_by {
             SteeringBy::Radius => htd.radius = Some(settings.set_radius),
             SteeringBy::Rate => htd.rate_of_turn = Some(settings.set_rate),
         }
+    }
+
+    fn steers(&self, row: &Row) -> &'static str {
+        match self.finish {
+            Some(_) => "AUTO finishes the turn, SWITCH TO AUTO",
+            None => row.steers,
+        }
+    }
+
+    fn plane_m(&self) -> Option<f64> {
+        // What is left of the turn lies in it.
+        self.finish.is_none().then_some(PLANE_M)
     }
 }

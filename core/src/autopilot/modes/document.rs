@@ -1,20 +1,16 @@
 //! `docs/modes.md`: modes, needs, losses and transitions, made from the code that decides them.
 
 use super::auto::{Auto, Finish};
-use super::autonav_ti::AutonavTi;
-use super::autonav_tn::AutonavTn;
 use super::event::{Cause, Event};
 use super::mode::{Mode, TABLE};
 use super::need::{Lost, Need};
-use super::rudder_hold::RudderHold;
-use super::state::Facts;
 use super::table::{Limit, OnLoss, Row};
-use crate::autopilot::steering::TurnBy;
+use crate::autopilot::facts::Facts;
 use crate::geo::Point;
 use crate::path::Path;
 use crate::settings::Settings;
 use crate::time::Stamp;
-use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle};
+use crate::units::{Course, Heading, Radius, RudderAngle};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -115,71 +111,6 @@ fn needs() -> String {
     "## Needs\n\n".to_string() + &table(&head, Need::ALL.iter().map(row))
 }
 
-/// What the table of the transitions is made from: one state for each way in which a mode can go on.
-fn states() -> Vec<(&'static str, Mode)> {
-    let heading = Heading::from_deg(0.0);
-    let (north, east) = (Course::from_deg(0.0), Course::from_deg(90.0));
-    let radius = Radius::from_nm(1.0);
-    let centre = Point {
-        north: 3_000.0,
-        east: radius.m(),
-    };
-    let tn = |rate| {
-        Mode::AutonavTn(AutonavTn {
-            hts: heading,
-            track: north,
-            rate,
-        })
-    };
-    let leg = Path::leg(Point::default(), north);
-    let turn = Path::turn(north, centre, radius, east);
-    // The ship of the facts stands at the origin: before the first arc, in the second.
-    let here = Path::turn(
-        north,
-        Point {
-            north: -500.0,
-            ..centre
-        },
-        radius,
-        east,
-    );
-    let finish = Finish {
-        by: TurnBy::Radius(radius),
-        wait: None,
-    };
-    alloc::vec![
-        ("STANDBY", Mode::STANDBY),
-        ("AUTO", Mode::Auto(Auto::on(heading))),
-        (
-            "AUTO that finishes a turn",
-            Mode::Auto(Auto::finishing(heading, finish)),
-        ),
-        ("AutoNAV Tn on a leg", tn(None)),
-        (
-            "AutoNAV Tn in a turn",
-            tn(Some(RateOfTurn::from_deg_per_min(20.0))),
-        ),
-        (
-            "AutoNAV Ti on a leg",
-            Mode::AutonavTi(AutonavTi::on(leg, None)),
-        ),
-        (
-            "AutoNAV Ti before the arc",
-            Mode::AutonavTi(AutonavTi::on(turn, None)),
-        ),
-        (
-            "AutoNAV Ti in the arc",
-            Mode::AutonavTi(AutonavTi::on(here, None)),
-        ),
-        (
-            "RUDDER HOLD",
-            Mode::RudderHold(RudderHold {
-                order: RudderAngle::from_deg(0.0),
-            }),
-        ),
-    ]
-}
-
 fn events() -> Vec<(&'static str, Event)> {
     let north = Course::from_deg(0.0);
     alloc::vec![
@@ -209,18 +140,19 @@ fn events() -> Vec<(&'static str, Event)> {
 }
 
 fn transitions() -> String {
+    let settings = Settings::default();
     let facts = Facts {
         now: Stamp(0),
         heading: Heading::from_deg(10.0),
         order: RudderAngle::from_deg(0.0),
         place: Some(Point::default()),
         steered: None,
-        settings: Settings::default(),
+        settings: &settings,
     };
     let events = events();
     let mut head = alloc::vec!["in"];
     head.extend(events.iter().map(|(name, _)| *name));
-    let rows = states().into_iter().map(|(name, state)| {
+    let rows = Mode::examples().into_iter().map(|(name, state)| {
         let mut row = alloc::vec![name.to_string()];
         row.extend(events.iter().map(|(_, event)| {
             let next = state.next(event, &facts);
@@ -236,7 +168,7 @@ fn transitions() -> String {
     text.to_string() + &table(&head, rows)
 }
 
-fn described(mode: &Mode, facts: &Facts) -> String {
+fn described(mode: &Mode, facts: &Facts<'_>) -> String {
     let how = match mode {
         Mode::Auto(Auto {
             finish: Some(Finish { wait: Some(_), .. }),

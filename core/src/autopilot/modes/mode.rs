@@ -6,12 +6,11 @@ use super::autonav_tn::AutonavTn;
 use super::event::{Cause, Event};
 use super::rudder_hold::RudderHold;
 use super::standby::Standby;
-use super::state::{Facts, State};
+use super::state::{Listed, State};
 use super::table::{ModeName, Row};
-use crate::autopilot::steering::Demand;
-use crate::nmea::Htd;
+use crate::autopilot::facts::Facts;
 use crate::time::Stamp;
-use crate::units::Heading;
+use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// A stop is the end of the route if the cross-track distances vanish within this time (TCS-10).
@@ -34,19 +33,21 @@ macro_rules! modes {
                 match self { $(Self::$name(_) => &const { $name::ROW },)* }
             }
 
-            /// What it asks of the steering; absent where no orders are computed.
-            pub(in super::super) fn demand(&mut self, facts: &Facts) -> Option<Demand> {
-                match self { $(Self::$name(state) => state.demand(facts),)* }
+            /// What it does.
+            pub(in super::super) const fn state(&self) -> &dyn State {
+                match self { $(Self::$name(state) => state,)* }
             }
 
-            /// Heading to steer in force.
-            pub(in super::super) fn hts(&self, facts: &Facts) -> Option<Heading> {
-                match self { $(Self::$name(state) => state.hts(facts),)* }
+            /// What it does, and what it changes of itself.
+            pub(in super::super) const fn state_mut(&mut self) -> &mut dyn State {
+                match self { $(Self::$name(state) => state,)* }
             }
 
-            /// Adds what HTD says of this mode alone.
-            pub(in super::super) fn htd(&self, facts: &Facts, htd: &mut Htd) {
-                match self { $(Self::$name(state) => state.htd(facts, htd),)* }
+            /// One state for each way in which a mode can go on, by its name in the document.
+            pub(super) fn examples() -> Vec<(&'static str, Self)> {
+                let mut all = Vec::new();
+                $(all.extend($name::examples().into_iter().map(|(name, state)| (name, Self::$name(state))));)*
+                all
             }
         }
     };
@@ -65,7 +66,7 @@ impl Mode {
     pub(in super::super) const STANDBY: Self = Self::Standby(Standby);
 
     /// Every transition.
-    pub(in super::super) fn next(self, event: &Event, facts: &Facts) -> Self {
+    pub(in super::super) fn next(self, event: &Event, facts: &Facts<'_>) -> Self {
         match (self, event) {
             (_, Event::Standby | Event::Override) => Self::STANDBY,
             (mode @ (Self::Standby(_) | Self::RudderHold(_)), Event::HeadingLost) => mode,
@@ -79,13 +80,9 @@ impl Mode {
             (
                 Self::Auto(_) | Self::AutonavTn(_) | Self::AutonavTi(_),
                 Event::EngageTn { hts, track, rate },
-            ) => Self::AutonavTn(AutonavTn {
-                hts: *hts,
-                track: *track,
-                rate: *rate,
-            }),
+            ) => Self::AutonavTn(AutonavTn::on(facts.now, *hts, *track, *rate)),
             (Self::Auto(_) | Self::AutonavTn(_), Event::EngageTi { path, radius }) => {
-                Self::AutonavTi(AutonavTi::on(*path, Some(*radius)))
+                Self::AutonavTi(AutonavTi::on(facts.now, *path, Some(*radius)))
             }
             (mode @ (Self::AutonavTi(_) | Self::AutonavTn(_)), Event::TrackFail(cause)) => {
                 Self::Auto(mode.fall_back(cause, facts))
@@ -97,10 +94,10 @@ impl Mode {
     }
 
     /// TCS-8, TCS-10: on a leg the heading is held, on a curve the turn is finished.
-    fn fall_back(self, cause: &Cause, facts: &Facts) -> Auto {
+    fn fall_back(self, cause: &Cause, facts: &Facts<'_>) -> Auto {
         let stopped = *cause == Cause::StandAlone;
         // Note 8.1: after a stop the latest set heading.
-        let set = self.hts(facts).filter(|_| stopped);
+        let set = self.state().hts(facts).filter(|_| stopped);
         let held = set.unwrap_or(facts.heading);
         let auto = match self {
             Self::AutonavTi(ti) => ti.lost(held, facts),
@@ -128,7 +125,7 @@ impl Mode {
     /// Whether the chart system controls.
     #[must_use]
     pub const fn is_autonav(&self) -> bool {
-        matches!(self, Self::AutonavTn(_) | Self::AutonavTi(_))
+        self.row().commanded.is_some()
     }
 
     /// Until when a selection of AutoNAV stands.

@@ -1,9 +1,10 @@
 //! RUDDER HOLD: the rudder stays as it was when the heading was lost (FA7).
 
-use super::state::State;
+use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
 use crate::nmea::SteeringMode;
 use crate::units::RudderAngle;
+use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// The held order.
@@ -13,7 +14,7 @@ pub struct RudderHold {
     pub order: RudderAngle,
 }
 
-impl State for RudderHold {
+impl Listed for RudderHold {
     const ROW: Row = Row {
         name: ModeName::RudderHold,
         title: "RUDDER HOLD",
@@ -23,5 +24,14 @@ impl State for RudderHold {
         on_loss: OnLoss::Nothing,
         limit: Limit::Max,
         htd: SteeringMode::RudderControl,
+        commanded: None,
+        steers: "rudder held, steer by hand",
     };
+
+    fn examples() -> Vec<(&'static str, Self)> {
+        let order = RudderAngle::from_deg(0.0);
+        alloc::vec![("RUDDER HOLD", Self { order })]
+    }
 }
+
+impl State for RudderHold {}

@@ -1,15 +1,16 @@
 //! STANDBY: the autopilot gives no orders. Always granted (AP-25).
 
-use super::state::State;
+use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
 use crate::nmea::SteeringMode;
+use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Nothing is steered, nothing is remembered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Standby;
 
-impl State for Standby {
+impl Listed for Standby {
     const ROW: Row = Row {
         name: ModeName::Standby,
         title: "STANDBY",
@@ -19,5 +20,13 @@ impl State for Standby {
         on_loss: OnLoss::Nothing,
         limit: Limit::NoOrders,
         htd: SteeringMode::Manual,
+        commanded: None,
+        steers: "STANDBY, steer by hand",
     };
+
+    fn examples() -> Vec<(&'static str, Self)> {
+        alloc::vec![("STANDBY", Self)]
+    }
 }
+
+impl State for Standby {}

@@ -1,55 +1,93 @@
-//! What every mode is to the autopilot: a row of the table, a demand, a report; and what it knows of the ship.
+//! What every mode is to the autopilot: a row of the table, a demand, a report, and what it does with commands and places.
 
 use super::table::Row;
-use crate::autopilot::gear::Steered;
+use crate::autopilot::facts::{Facts, Outlook};
+use crate::autopilot::remote::Charted;
 use crate::autopilot::steering::Demand;
+use crate::command::{Refusal, Remote};
 use crate::geo::Point;
 use crate::nmea::Htd;
-use crate::path::{Part, Path};
-use crate::settings::Settings;
+use crate::path::Path;
 use crate::time::Stamp;
-use crate::units::{Heading, RudderAngle};
+use crate::units::Heading;
+use alloc::string::String;
+use alloc::vec::Vec;
 
-/// What each mode is.
-pub(super) trait State {
+/// The plane is laid anew so far from where it touches, metres.
+pub(super) const PLANE_M: f64 = 10_000.0;
+
+/// What is fixed of each mode.
+pub(super) trait Listed: Sized {
     /// Its row in the table.
     const ROW: Row;
 
+    /// One state for each way in which it can go on, by the name that `docs/modes.md` gives it. The ship stands at the
+    /// origin of the plane then, on course 000.
+    fn examples() -> Vec<(&'static str, Self)>;
+}
+
+/// What each mode does. A mode says only what is its own; the rest is as it stands here.
+pub(in super::super) trait State {
     /// What it asks of the steering; absent where no orders are computed.
-    fn demand(&mut self, _: &Facts) -> Option<Demand> {
+    fn demand(&mut self, _: &Facts<'_>) -> Option<Demand> {
         None
     }
 
     /// Heading to steer in force.
-    fn hts(&self, _: &Facts) -> Option<Heading> {
+    fn hts(&self, _: &Facts<'_>) -> Option<Heading> {
         None
     }
 
     /// Adds what HTD says of this mode alone.
-    fn htd(&self, _: &Facts, _: &mut Htd) {}
-}
+    fn htd(&self, _: &Facts<'_>, _: &mut Htd) {}
 
-/// What modes and their transitions know of the ship and what is set.
-#[derive(Clone, Debug, PartialEq)]
-pub(in super::super) struct Facts {
-    /// The time.
-    pub(in super::super) now: Stamp,
-    /// Actual heading; the last usable one where it is lost.
-    pub(in super::super) heading: Heading,
-    /// Rudder order in force.
-    pub(in super::super) order: RudderAngle,
-    /// Where the ship is, by dead reckoning as long as that is worth something.
-    pub(in super::super) place: Option<Point>,
-    /// What the steering gave last.
-    pub(in super::super) steered: Option<Steered>,
-    /// What is set.
-    pub(in super::super) settings: Settings,
-}
+    /// What TRACK FAIL tells the officer of who steers now.
+    fn steers(&self, row: &Row) -> &'static str {
+        row.steers
+    }
 
-impl Facts {
-    /// Whether the ship is on that part of a path.
-    pub(super) fn is_on(&self, path: &Path, part: Part) -> bool {
-        self.place
-            .is_some_and(|place| path.progress(place).part == part)
+    /// The path that is sailed.
+    fn path(&self) -> Option<&Path> {
+        None
+    }
+
+    /// How far from where the plane touches it is laid anew, metres; absent while it has to lie.
+    fn plane_m(&self) -> Option<f64> {
+        Some(PLANE_M)
+    }
+
+    /// Carries its places into another plane.
+    fn carry(&mut self, _: &dyn Fn(Point) -> Point) {}
+
+    /// Whether a command of the chart system may be followed as it is (SEN-5).
+    fn accepts(&mut self, _: Remote) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    /// Follows an accepted command for this mode.
+    fn follow(&mut self, _: Stamp, _: Remote) {}
+
+    /// Holds the command in force against everything else that is heard, once a step, and goes by it; or says what does
+    /// not agree.
+    fn agree(&mut self, _: &Outlook<'_>, _: Option<Remote>, _: Charted<'_>) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// When all that is heard last agreed with what is steered; absent where nothing has to.
+    fn agreed(&self) -> Option<Stamp> {
+        None
+    }
+
+    /// What is done without though it should be said (SEN-4).
+    fn makeshift(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Control by the chart system is about to be lost; `command` is the last one.
+    fn losing(&mut self, _: &Outlook<'_>, _: Option<Remote>) {}
+
+    /// Whether the ship has left the track for long enough, `off` metres from it, with a limit of `limit` metres.
+    fn has_left_the_track(&mut self, _: Stamp, _off: Option<f64>, _limit: f64) -> bool {
+        false
     }
 }

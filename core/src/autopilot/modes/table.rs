@@ -44,6 +44,10 @@ pub(in super::super) struct Row {
     pub(in super::super) limit: Limit,
     /// Steering mode that HTD says (AP-1).
     pub(in super::super) htd: SteeringMode,
+    /// Why it is on, where the chart system commands it; absent where it does not.
+    pub(in super::super) commanded: Option<&'static str>,
+    /// What TRACK FAIL tells the officer of who steers now.
+    pub(in super::super) steers: &'static str,
 }
 
 /// What follows where something needed is lost. A lost heading holds the rudder in every mode that needs one (FA7).

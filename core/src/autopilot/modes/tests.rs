@@ -1,27 +1,31 @@
 //! Transitions: where each loss leaves the ship, and what the operator alone can end.
 
+use super::event::{Cause, Event};
 use super::mode::TABLE;
+use super::need::Need;
+use super::table::OnLoss;
 use super::*;
+use crate::autopilot::facts::Facts;
 use crate::geo::Point;
 use crate::path::Path;
-use crate::settings::Settings;
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Radius, RudderAngle};
+use alloc::boxed::Box;
 
-fn facts() -> Facts {
+fn facts() -> Facts<'static> {
     Facts {
         now: Stamp(1_000),
         heading: Heading::from_deg(100.0),
         order: RudderAngle::from_deg(4.0),
         place: None,
         steered: None,
-        settings: Settings::default(),
+        settings: Box::leak(Box::default()),
     }
 }
 
 fn leg(course: f64) -> Mode {
     let path = Path::leg(Point::default(), Course::from_deg(course));
-    Mode::AutonavTi(AutonavTi::on(path, None))
+    Mode::AutonavTi(AutonavTi::on(Stamp(0), path, None))
 }
 
 fn turning() -> Mode {
@@ -31,10 +35,9 @@ fn turning() -> Mode {
         Radius::from_nm(0.5),
         Course::from_deg(160.0),
     );
-    Mode::AutonavTi(AutonavTi {
-        track: Course::from_deg(160.0),
-        ..AutonavTi::on(path, None)
-    })
+    let mut ti = AutonavTi::on(Stamp(0), path, None);
+    ti.track = Course::from_deg(160.0);
+    Mode::AutonavTi(ti)
 }
 
 fn auto(mode: Mode) -> Auto {

@@ -15,7 +15,7 @@ use alloc::vec::Vec;
 
 impl Sight {
     /// The position that is believed: of the receiver in use, carried on; absent 5 s after its last good fix.
-    pub(in super::super) fn position(&self, now: Stamp) -> Option<Position> {
+    pub(in super::super) fn believed_position(&self, now: Stamp) -> Option<Position> {
         self.positions.position(now)
     }
 

@@ -143,9 +143,9 @@ impl Steering {
         }
     }
 
-    /// The settings in force.
+    /// The ship as the laws have her.
     #[must_use]
-    pub const fn settings(&self) -> &SteeringSettings {
+    pub const fn ship(&self) -> &SteeringSettings {
         &self.settings
     }
 

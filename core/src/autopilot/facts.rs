@@ -1,0 +1,89 @@
+//! What modes and their transitions know of the ship, of what is heard and of what is set, at one time.
+
+use super::gear::{Gear, Steered};
+use super::sight::Sight;
+use super::steering::{Measured, Steering, SteeringSettings};
+use crate::geo::Point;
+use crate::path::{Part, Path};
+use crate::post::{Post, Seen};
+use crate::settings::Settings;
+use crate::time::Stamp;
+use crate::units::{Heading, RudderAngle, Speed};
+
+/// What a mode knows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Facts<'a> {
+    /// The time.
+    pub(super) now: Stamp,
+    /// Actual heading; the last usable one where it is lost.
+    pub(super) heading: Heading,
+    /// Rudder order in force.
+    pub(super) order: RudderAngle,
+    /// Where the ship is, by dead reckoning as long as that is worth something.
+    pub(super) place: Option<Point>,
+    /// What was steered last.
+    pub(super) steered: Option<&'a Steered>,
+    /// What is set.
+    pub(super) settings: &'a Settings,
+}
+
+impl Facts<'_> {
+    /// Whether the ship is on that part of a path.
+    pub(super) fn is_on(&self, path: &Path, part: Part) -> bool {
+        self.place
+            .is_some_and(|place| path.progress(place).part == part)
+    }
+}
+
+/// All that the modes are chosen, kept and ended by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outlook<'a> {
+    /// What a mode knows.
+    pub(super) facts: Facts<'a>,
+    /// What is heard.
+    pub(super) seen: Seen<'a>,
+    /// What is believed of it.
+    pub(super) sight: &'a Sight,
+    /// The ship's constants.
+    pub(super) ship: &'a SteeringSettings,
+}
+
+impl<'a> Outlook<'a> {
+    /// As the parts have it at `now`.
+    pub(super) fn at(
+        now: Stamp,
+        post: &'a Post,
+        sight: &'a Sight,
+        steering: &'a Steering,
+        gear: &'a Gear,
+        settings: &'a Settings,
+    ) -> Self {
+        let seen = post.seen(now);
+        let heard = || sight.heard(seen.picture, now, settings);
+        let heading = sight.heading().or_else(heard);
+        Self {
+            facts: Facts {
+                now,
+                heading: heading.unwrap_or(Heading::from_deg(0.0)),
+                order: gear.order(),
+                place: sight.long_place(now),
+                steered: gear.steered(),
+                settings,
+            },
+            seen,
+            sight,
+            ship: steering.ship(),
+        }
+    }
+
+    /// What the laws are told; absent without a heading.
+    pub(super) fn measured(&self) -> Option<Measured> {
+        let facts = &self.facts;
+        (self.sight).measured(self.seen, facts.settings, facts.order)
+    }
+
+    /// Measured speed, else the set cruise speed (FA10).
+    pub(super) fn speed(&self) -> Speed {
+        self.sight.speed(self.facts.settings)
+    }
+}
