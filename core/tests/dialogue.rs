@@ -90,15 +90,18 @@ fn sail(seed: u64, seconds: u64, by_hand: Option<ChartRequest>) -> Sailed {
     }
 }
 
+impl Sailed {
+    /// The situations in their order.
+    fn situations(&self) -> Vec<u8> {
+        let spans = self.checker.spans().iter();
+        spans.map(|span| span.situation).collect()
+    }
+}
+
 #[test]
 fn a_round_of_the_embedded_voyage_has_no_breach() {
     let sailed = sail(1, 4_200, None);
-    let situations: Vec<u8> = sailed
-        .checker
-        .spans()
-        .iter()
-        .map(|span| span.situation)
-        .collect();
+    let situations = sailed.situations();
     assert!(sailed.breaches.is_empty(), "{:#?}", sailed.breaches);
     let first_end = situations
         .iter()
@@ -119,12 +122,7 @@ fn a_round_of_the_embedded_voyage_has_no_breach() {
 fn a_round_in_tn_has_no_breach_and_stays_near_the_track() {
     let sailed = sail(2, 3_600, Some(ChartRequest::Heading));
     assert!(sailed.breaches.is_empty(), "{:#?}", sailed.breaches);
-    let situations: Vec<u8> = sailed
-        .checker
-        .spans()
-        .iter()
-        .map(|span| span.situation)
-        .collect();
+    let situations = sailed.situations();
     println!("widest {:?}, situations {situations:?}", sailed.widest);
     assert_eq!(situations, [1, 6]);
     assert!(sailed.widest.0 <= 120.0, "{:?}", sailed.widest);

@@ -8,18 +8,14 @@ use wheelover_tests::program::Program;
 
 const LONG: Duration = Duration::from_secs(60);
 
+const OPENED: &str = "return !!document.querySelector('[data-command=\"example\"]');";
+
 const SUMMARY: &str = "const e = document.querySelector('[data-value=\"decoder-summary\"]'); \
     return !!e && /^[1-9][0-9]* lines/.test(e.innerText.trim());";
 
 /// The page explains its own example and what is typed into it.
 async fn explains(browser: &Browser) {
-    browser
-        .until(
-            "the decoder",
-            LONG,
-            "return !!document.querySelector('[data-command=\"example\"]');",
-        )
-        .await;
+    browser.until("the decoder", LONG, OPENED).await;
     browser.press("example").await;
     browser.until("the example's lines", LONG, SUMMARY).await;
     let script = "const t = document.querySelector('[data-input=\"lines\"]'); \
@@ -38,13 +34,7 @@ async fn the_decoder_goes_on_when_the_server_is_gone() {
     browser
         .go(&format!("http://{}/#/decoder", program.address))
         .await;
-    browser
-        .until(
-            "the decoder",
-            LONG,
-            "return !!document.querySelector('[data-command=\"example\"]');",
-        )
-        .await;
+    browser.until("the decoder", LONG, OPENED).await;
     assert_eq!(browser.errors(), [] as [String; 0]);
     program.stop();
     let offline = serde_json::json!({"offline": true, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0});

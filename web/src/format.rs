@@ -2,6 +2,7 @@
 
 use core::fmt::{self, Display, Formatter};
 use wheelover_core::geo::Position;
+use wheelover_core::units::METRES_PER_NAUTICAL_MILE;
 
 /// What stands for an unknown angle.
 pub const NO_ANGLE: &str = "---.-";
@@ -113,7 +114,7 @@ pub fn sided(value: Option<f64>, decimals: usize) -> String {
 /// A distance: miles with two decimals, from ten miles with one.
 #[must_use]
 pub fn miles(metres: Option<f64>) -> String {
-    match metres.map(|metres| metres / 1852.0) {
+    match metres.map(|metres| metres / METRES_PER_NAUTICAL_MILE) {
         Some(miles) if miles < 9.995 => fixed(miles, 2).to_string(),
         Some(miles) => fixed(miles, 1).to_string(),
         None => "-.--".to_owned(),

@@ -5,11 +5,10 @@
 //!
 //! What tests and scripts hold on to stands in attributes, never in classes: `data-value` with `data-state` for each
 //! value, `data-alert` for alerts, `data-plan` for what the plan draws, `data-closed` for why a mode cannot be selected, and
-//! `data-command` for buttons: `standby`,
-//! `auto`, `autonav`, `adjust-10`, `adjust-1`, `adjust+1`, `adjust+10`, `confirm`, `cancel`, `silence`, `acknowledge`,
-//! `speed-1` … `speed-60`, `officer`, `chart-track`, `chart-heading`, `chart-stop`, `fault-chart-silent`,
-//! `fault-gyro-jump`, `fault-position-jump`, `current`, `north-up`, `head-up`, `course-up`, `range-in`, `range-out`,
-//! `palette`. All that moves the rudder but STANDBY is pressed and then confirmed.
+//! `data-command` for buttons: `standby`, `auto`, `autonav`, `adjust-10`, `adjust-1`, `adjust+1`, `adjust+10`, `confirm`,
+//! `cancel`, `silence`, `acknowledge`, `speed-1` … `speed-60`, `officer`, `chart-track`, `chart-heading`, `chart-stop`,
+//! `fault-chart-silent`, `fault-gyro-jump`, `fault-position-jump`, `current`, `north-up`, `head-up`, `course-up`,
+//! `range-in`, `range-out`, `palette`. All that moves the rudder but STANDBY is pressed and then confirmed.
 //!
 //! **Invariant:** nothing older than its limit is shown as live: ages are computed here, by a clock that nobody can set, before
 //! each picture that the browser paints.

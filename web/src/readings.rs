@@ -6,7 +6,7 @@ use wheelover_core::geo::Position;
 use wheelover_core::limits::{Freshness, Quantity};
 use wheelover_core::picture::Picture;
 use wheelover_core::time::Stamp;
-use wheelover_core::units::wrap_180;
+use wheelover_core::units::{METRES_PER_NAUTICAL_MILE, METRES_PER_SECOND_PER_KNOT, wrap_180};
 use wheelover_core::view::{Own, Snapshot};
 
 /// Everything the bridge view shows, made anew when something came, and four times a second.
@@ -59,7 +59,7 @@ impl Readings {
     pub fn of(picture: &Picture, snapshot: Option<&Snapshot>, now: Stamp, link_age: u64) -> Self {
         use Quantity::{Control, Ground, Heading, RateOfTurn, Rudder, WaterSpeed};
         let own: Option<&Own> = snapshot.and_then(|snapshot| snapshot.own.as_ref());
-        let metres = |miles: f64| miles * 1852.0;
+        let metres = |miles: f64| miles * METRES_PER_NAUTICAL_MILE;
         let distance = |reading| believed::distance(reading, own);
         let heading = match own {
             Some(own) => believed::heading(picture, own, now),
@@ -157,6 +157,13 @@ impl Readings {
         } else {
             readings
         }
+    }
+
+    /// Metres a second over ground.
+    #[must_use]
+    pub fn speed(&self) -> Option<f64> {
+        let knots = self.sog.value?;
+        Some(knots * METRES_PER_SECOND_PER_KNOT)
     }
 
     /// The set rate: the chart system's, else the one that the autopilot reports; its side is the way to the track.

@@ -1,7 +1,7 @@
 //! The track made good: where the ship was, without a line to where she cannot have come from.
 
 use std::collections::VecDeque;
-use wheelover_core::geo::{Plane, Position};
+use wheelover_core::geo::Position;
 use wheelover_core::time::Stamp;
 
 /// How many points are kept.
@@ -36,7 +36,7 @@ impl Trail {
     pub fn walk(&mut self, at: Stamp, place: Position, patience: u64) {
         let reached = self.seen.is_none_or(|(last, then)| {
             let seconds = at.since(then) as f64 / 1_000.0;
-            metres(last, place) <= REACH.0 + REACH.1 * seconds.min(10.0)
+            last.distance(place) <= REACH.0 + REACH.1 * seconds.min(10.0)
         });
         if !reached && at.since(*self.away.get_or_insert(at)) < patience {
             return;
@@ -44,7 +44,7 @@ impl Trail {
         self.away = None;
         self.seen = Some((place, at));
         let begins = !reached || self.dots.is_empty();
-        let near = |last: &Dot| metres(last.place, place) < STEP_M;
+        let near = |last: &Dot| last.place.distance(place) < STEP_M;
         if !begins && self.dots.back().is_some_and(near) {
             return;
         }
@@ -58,11 +58,6 @@ impl Trail {
     pub fn dots(&self) -> impl Iterator<Item = &Dot> {
         self.dots.iter()
     }
-}
-
-fn metres(from: Position, to: Position) -> f64 {
-    let plane = Plane::at(from);
-    plane.point(to).distance(plane.point(from))
 }
 
 #[cfg(test)]

@@ -46,11 +46,7 @@ fn progress(deck: Deck) -> Progress {
         };
         let plane = Plane::at(position);
         let ship = plane.point(position);
-        let speed = readings
-            .sog
-            .value
-            .map(|knots| knots * 1852.0 / 3600.0)
-            .filter(|s| *s > 0.2);
+        let speed = readings.speed().filter(|speed| *speed > 0.2);
         deck.route.with(|route| {
             let shape = Shape::of(route, &plane);
             if let Some((_, place)) = shape.waypoints.get(chart.leg + 1) {
@@ -90,9 +86,7 @@ fn told(deck: Deck) -> Progress {
     deck.readings.with(|readings| {
         let ship = Point::default(); // of a plane at her position
         let speed = readings
-            .sog
-            .value
-            .map(|knots| knots * 1852.0 / 3600.0)
+            .speed()
             .filter(|speed| *speed > 0.2 && readings.position.value.is_some());
         let left = told.turn.and_then(|turn| turn.left(ship)).zip(speed);
         Progress {

@@ -2,7 +2,7 @@
 
 use crate::format::fixed;
 use wheelover_core::geo::{Plane, Point, Position};
-use wheelover_core::units::Course;
+use wheelover_core::units::{Course, METRES_PER_NAUTICAL_MILE};
 
 /// What is up on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,7 +51,7 @@ impl Frame {
     #[must_use]
     pub fn around(ship: Position, size: (f64, f64), range_nm: f64, up: f64, ahead: f64) -> Self {
         let half = libm::fmin(size.0, size.1) / 2.0;
-        let scale = half / (range_nm * 1852.0);
+        let scale = half / (range_nm * METRES_PER_NAUTICAL_MILE);
         let angle = (ahead - up).to_radians();
         let (dx, dy) = (
             libm::sin(angle) * size.0 * 0.18,

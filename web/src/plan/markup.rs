@@ -5,6 +5,7 @@ use super::{foreign, ship, track};
 use crate::drawing::Drawing;
 use crate::format;
 use wheelover_core::geo::Point;
+use wheelover_core::units::METRES_PER_NAUTICAL_MILE;
 
 impl Scene<'_> {
     /// The plan as the inside of an SVG element.
@@ -25,7 +26,7 @@ impl Scene<'_> {
         drawing.path("grid", "", &self.frame.graticule().0);
         let (x, y) = self.frame.point(Point::default());
         for part in [0.5, 1.0] {
-            let metres = self.range_nm * part * 1852.0;
+            let metres = self.range_nm * part * METRES_PER_NAUTICAL_MILE;
             let radius = metres * self.frame.scale;
             drawing.circle("ring", (x, y), radius);
             let place = (x + radius * 0.707 + 4.0, y + radius * 0.707 + 12.0);

@@ -25,8 +25,7 @@ pub(super) fn draw(scene: &Scene<'_>, drawing: &mut Drawing) {
     };
     let ship = frame.plane.point(position);
     let seconds = vector_minutes(scene.range_nm) * 60.0;
-    let speed = readings.sog.value.map(|knots| knots * 1852.0 / 3600.0);
-    if let Some((course, speed)) = readings.cog.value.zip(speed) {
+    if let Some((course, speed)) = readings.cog.value.zip(readings.speed()) {
         if let Some(rate) = readings.rot.value {
             let points: Vec<Point> = predicted(course, rate, speed, seconds)
                 .into_iter()
