@@ -43,7 +43,7 @@ fn sentences(bits: &Bits, random: &mut Random) -> Vec<String> {
     let (payload, fill_bits) = bits.armoured();
     let parts: Vec<&[u8]> = payload.as_bytes().chunks(56).collect();
     let channel = random.pick(&[AisChannel::A, AisChannel::B]);
-    let sequence = random.whole(0, 9) as u32;
+    let sequence = random.from(0, 9) as u32;
     let part = |(at, part): (usize, &&[u8])| {
         let vdm = Vdm {
             total: Some(parts.len() as u32),
@@ -70,18 +70,18 @@ fn case(bits: &Bits, random: &mut Random) -> Case {
 fn place(random: &mut Random) -> (i64, i64) {
     let minutes = 600_000;
     (
-        random.whole(-89 * minutes, 89 * minutes),
-        random.whole(-179 * minutes, 179 * minutes),
+        random.from(-89 * minutes, 89 * minutes),
+        random.from(-179 * minutes, 179 * minutes),
     )
 }
 
 #[test]
 fn position_report_of_class_a() {
     rounds("VDM type 1", |random| {
-        let mmsi = random.whole(200_000_000, 775_999_999);
-        let (status, heading) = (random.whole(0, 8), random.whole(0, 359));
-        let (speed, course) = (random.whole(0, 1_000), random.whole(0, 3_599));
-        let ((lat, lon), second) = (place(random), random.whole(0, 59));
+        let mmsi = random.from(200_000_000, 775_999_999);
+        let (status, heading) = (random.from(0, 8), random.from(0, 359));
+        let (speed, course) = (random.from(0, 1_000), random.from(0, 3_599));
+        let ((lat, lon), second) = (place(random), random.from(0, 59));
         let bits = Bits::default()
             .number(1, 6)
             .number(0, 2)
@@ -113,9 +113,9 @@ fn position_report_of_class_a() {
 #[test]
 fn position_report_of_class_b() {
     rounds("VDM type 18", |random| {
-        let mmsi = random.whole(200_000_000, 775_999_999);
-        let (speed, course) = (random.whole(0, 1_000), random.whole(0, 3_599));
-        let ((lat, lon), heading) = (place(random), random.whole(0, 359));
+        let mmsi = random.from(200_000_000, 775_999_999);
+        let (speed, course) = (random.from(0, 1_000), random.from(0, 3_599));
+        let ((lat, lon), heading) = (place(random), random.from(0, 359));
         let bits = Bits::default()
             .number(18, 6)
             .number(0, 2)
@@ -143,13 +143,13 @@ fn position_report_of_class_b() {
 #[test]
 fn static_data_in_two_parts() {
     rounds("VDM type 5", |random| {
-        let mmsi = random.whole(200_000_000, 775_999_999);
-        let imo = random.whole(1_000_000, 9_999_999);
+        let mmsi = random.from(200_000_000, 775_999_999);
+        let imo = random.from(1_000_000, 9_999_999);
         let names = ["WHEELOVER", "KONTIKI II", "7 SEAS / 3", "A"];
         let (name, sign) = (random.pick(&names), random.pick(&["OH1234", "LXYZ", "D5A"]));
-        let (bow, stern) = (random.whole(0, 511), random.whole(0, 511));
-        let (port, starboard) = (random.whole(0, 63), random.whole(0, 63));
-        let (draught, kind) = (random.whole(0, 255), random.whole(20, 99));
+        let (bow, stern) = (random.from(0, 511), random.from(0, 511));
+        let (port, starboard) = (random.from(0, 63), random.from(0, 63));
+        let (draught, kind) = (random.from(0, 255), random.from(20, 99));
         let bits = Bits::default()
             .number(5, 6)
             .number(0, 2)

@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used)]
 
 mod ais;
+#[path = "../random.rs"]
 mod random;
 mod sentences;
+mod values;
 
 use serde_json::Value;
 use std::io::Write;
@@ -155,9 +157,7 @@ fn check(name: &str, case: &Case) {
 
 /// Random values of one kind, several times; the seed is printed.
 fn rounds(name: &str, mut make: impl FnMut(&mut random::Random) -> Case) {
-    let seed = 0xFB14 ^ name.bytes().fold(0, |sum, byte| sum * 31 + u64::from(byte));
-    println!("{name}: seed {seed:#x}");
-    let mut random = random::Random(seed);
+    let mut random = random::Random::seeded(name);
     for _ in 0..ROUNDS {
         check(name, &make(&mut random));
     }

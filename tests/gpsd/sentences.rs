@@ -55,7 +55,7 @@ fn gga_position_and_heights() {
             time: Some(random.time()),
             position: Some(position),
             quality: Some(random.pick(&[FixQuality::Standard, FixQuality::Differential])),
-            satellites: Some(random.whole(4, 24) as u32),
+            satellites: Some(random.from(4, 24) as u32),
             hdop: Some(random.tenths(1, 9)),
             altitude: Some(altitude),
             separation: Some(separation),
@@ -144,7 +144,7 @@ fn zda_time_and_date() {
 fn gns_position_and_heights() {
     rounds("GNS", |random| {
         let (altitude, separation) = (random.tenths(-90, 9_000), random.tenths(-100, 80));
-        let (degrees, minutes) = (random.whole(0, 89), random.whole(0, 5_999_999));
+        let (degrees, minutes) = (random.from(0, 89), random.from(0, 5_999_999));
         let side = random.pick(&["N", "S"]);
         let minutes = format!("{:02}.{:05}", minutes / 100_000, minutes % 100_000);
         let body = format!(
@@ -164,8 +164,8 @@ fn gsa_and_gsv_satellites() {
     rounds("GSA, GSV", |random| {
         let mut case = Case::new(Vec::new());
         let mut ids = Vec::new();
-        while ids.len() < random.whole(5, 12) as usize {
-            let id = random.whole(1, 32) as u32;
+        while ids.len() < random.from(5, 12) as usize {
+            let id = random.from(1, 32) as u32;
             if !ids.contains(&id) {
                 ids.push(id);
             }
@@ -189,9 +189,9 @@ fn gsa_and_gsv_satellites() {
             .iter()
             .map(|id| GsvSatellite {
                 id: Some(*id),
-                elevation: Some(random.whole(1, 90) as f64),
-                azimuth: Some(random.whole(0, 359) as f64),
-                signal: Some(random.whole(1, 60) as f64),
+                elevation: Some(random.from(1, 90) as f64),
+                azimuth: Some(random.from(0, 359) as f64),
+                signal: Some(random.from(1, 60) as f64),
             })
             .collect();
         let parts: Vec<&[GsvSatellite]> = seen.chunks(4).collect();

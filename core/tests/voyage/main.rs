@@ -12,6 +12,8 @@ mod magnetic;
 mod monitor;
 mod monte_carlo;
 mod offsets;
+#[path = "../../../tests/random.rs"]
+mod random;
 mod refused_commands;
 mod rig;
 mod sensors_lost;

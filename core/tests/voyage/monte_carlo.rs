@@ -1,28 +1,12 @@
 //! Random fault scripts in fast time; what must hold in all of them (FA17, small form).
 
+use crate::random::Random;
 use crate::rig::{Rig, edited, route};
 use std::sync::{Arc, Mutex};
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea;
 use wheelover_core::station::Profile;
 use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order};
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, limit: u64) -> u64 {
-        self.next() % limit
-    }
-}
 
 /// What the cables do at the moment.
 #[derive(Default)]

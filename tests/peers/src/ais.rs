@@ -125,7 +125,7 @@ fn message(r: &mut Random) -> Draft {
 
 /// Lines with their ends, and how many there are.
 pub fn file() -> (String, usize) {
-    let mut random = Random::new(0x5EED_1371);
+    let mut random = Random(0x5EED_1371);
     let (mut text, mut lines) = (String::with_capacity(MESSAGES * 56), 0);
     let mut add = |body: String| {
         text.push_str(&nmea::with_checksum(&body));

@@ -1,25 +1,11 @@
 //! Seeded generator of the files that are raced: mixed GNSS, bridge and track control.
 
-/// A small seeded generator (xorshift).
-pub struct Random(u64);
+#[path = "../../random.rs"]
+mod random;
+
+pub(crate) use random::Random;
 
 impl Random {
-    /// A generator; the seed must not be 0.
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-    pub fn below(&mut self, limit: u64) -> u64 {
-        self.next() % limit
-    }
-    pub fn pick<'a>(&mut self, list: &[&'a str]) -> &'a str {
-        list[self.below(list.len() as u64) as usize]
-    }
     fn tenths(&mut self, limit: u64) -> String {
         let tenths = self.below(limit * 10);
         format!("{}.{}", tenths / 10, tenths % 10)

@@ -14,7 +14,7 @@ const LINES: usize = 1_000_000;
 const AGAIN: usize = 200;
 
 fn file(one: fn(&mut lines::Random) -> String) -> String {
-    let mut random = lines::Random::new(0x5EED_0183);
+    let mut random = lines::Random(0x5EED_0183);
     let mut text = String::with_capacity(LINES * 60);
     for _ in 0..LINES {
         text.push_str(&nmea::with_checksum(&one(&mut random)));

@@ -4,158 +4,133 @@ use super::field::{Field, Item, Kind, NEVER};
 use super::tables::{HEADER, layouts};
 use super::*;
 use crate::nmea::explain::latin1;
+use crate::nmea::tests::given::for_all;
+use crate::nmea::tests::random::Random;
 use crate::nmea::{decode, with_checksum};
 use crate::time::Stamp;
 use alloc::string::String;
 use alloc::vec::Vec;
+use proptest::collection::vec;
+use proptest::prelude::{Just, Strategy, any};
+use proptest::sample::select;
+use proptest::strategy::{BoxedStrategy, Union};
+use proptest::{prop_assert_eq, prop_oneof};
 
-/// A small seeded generator (xorshift).
-struct Random(u64);
-
-impl Random {
-    fn seeded(name: &str) -> Self {
-        // Fixed, so that a failure comes again; printed, so that it can be changed.
-        let seed = 0x5EED_1371_u64 ^ name.len() as u64;
-        std::eprintln!("{name}: seed {seed:#x}");
-        Self(seed)
-    }
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-    fn below(&mut self, limit: u64) -> u64 {
-        self.next() % limit.max(1)
-    }
-    fn from(&mut self, low: i32, high: i32) -> i32 {
-        low + self.below((i64::from(high) - i64::from(low) + 1) as u64) as i32
-    }
-}
-
-/// A valid value of a field.
-fn value(random: &mut Random, field: &Field) -> Input {
-    let null = random.below(5) == 0;
-    let highest = |width: usize| {
-        if width >= 31 {
-            i32::MAX
-        } else {
-            (1 << width) - 1
-        }
+/// A valid value of a field; null is the least.
+fn value(field: &Field) -> BoxedStrategy<Input> {
+    let highest = match field.width {
+        0..31 => (1 << field.width) - 1,
+        _ => i32::MAX,
     };
-    match &field.kind {
-        Kind::Whole(scale) | Kind::Number(scale) if null && scale.none != NEVER => Input::Null,
-        Kind::Whole(scale) | Kind::Number(scale) if random.below(8) == 0 && scale.top != NEVER => {
-            Input::AtLeast(f64::from(scale.top) / f64::from(scale.divisor))
-        }
-        Kind::Whole(scale) | Kind::Number(scale) => loop {
-            let raw = random.from(scale.low, scale.high.min(highest(field.width)));
-            if raw != scale.none && raw != scale.none_too && raw != scale.top {
-                let value = f64::from(raw + scale.plus) / f64::from(scale.divisor);
-                break Input::Number(if scale.divisor < 600 {
-                    value
-                } else {
-                    libm::round(value * 1e7) / 1e7
+    match field.kind {
+        Kind::Whole(scale) | Kind::Number(scale) => {
+            let itself = move |raw: &i32| ![scale.none, scale.none_too, scale.top].contains(raw);
+            let number = (scale.low..=scale.high.min(highest))
+                .prop_filter("means itself", itself)
+                .prop_map(move |raw| {
+                    let value = f64::from(raw + scale.plus) / f64::from(scale.divisor);
+                    Input::Number(if scale.divisor < 600 {
+                        value
+                    } else {
+                        libm::round(value * 1e7) / 1e7
+                    })
                 });
-            }
-        },
-        Kind::Code(none, _) => match random.from(0, highest(field.width)) {
-            raw if raw == *none => Input::Null,
-            raw => Input::from(raw),
-        },
-        Kind::Flag => Input::Flag(random.below(2) == 1),
-        Kind::Turn => match random.from(-128, 127) {
-            -128 => Input::Null,
-            raw @ (127 | -127) => Input::AtLeast(10.0 * f64::from(raw.signum())),
-            raw @ (126 | -126) => Input::AtLeast(field::rate_of_turn(raw)),
-            raw => Input::Number(field::rate_of_turn(raw)),
-        },
-        Kind::Text if null => Input::Null,
-        Kind::Text => {
-            let most = if field.width == 0 {
-                14
-            } else {
-                field.width / 6
-            };
-            let length = 1 + random.below(most as u64);
-            let character =
-                |_| char::from(b'!' + random.below(31) as u8 + 32 * u8::from(random.below(2) == 1));
-            let text: String = (0..length)
-                .map(character)
-                .filter(|&c| c != '@' && c < '`')
+            let top = Input::AtLeast(f64::from(scale.top) / f64::from(scale.divisor));
+            let special = [(8, scale.none, Input::Null), (4, scale.top, top)];
+            let special = special.into_iter().filter(|(_, raw, _)| *raw != NEVER);
+            let mut all: Vec<_> = special
+                .map(|(weight, _, input)| (weight, Just(input).boxed()))
                 .collect();
-            if text.is_empty() {
-                Input::Null
-            } else {
-                Input::Text(text)
-            }
+            all.push((28, number.boxed()));
+            Union::new_weighted(all).boxed()
+        }
+        Kind::Code(none, _) => {
+            let code = move |raw: i32| match raw {
+                raw if raw == none => Input::Null,
+                raw => raw.into(),
+            };
+            (0..=highest).prop_map(code).boxed()
+        }
+        Kind::Flag => any::<bool>().prop_map(Input::Flag).boxed(),
+        Kind::Turn => {
+            let turn = |raw: i32| match raw {
+                -128 => Input::Null,
+                127 | -127 => Input::AtLeast(10.0 * f64::from(raw.signum())),
+                126 | -126 => Input::AtLeast(field::rate_of_turn(raw)),
+                raw => Input::Number(field::rate_of_turn(raw)),
+            };
+            (-128..=127).prop_map(turn).boxed()
+        }
+        Kind::Text => {
+            let most = match field.width {
+                0 => 14,
+                width => width / 6,
+            };
+            let characters: Vec<char> = ('!'..'`').filter(|&c| c != '@').collect();
+            let text = vec(select(characters), 1..=most);
+            let text = text.prop_map(|text| Input::Text(text.into_iter().collect()));
+            prop_oneof![1 => Just(Input::Null), 4 => text].boxed()
         }
         Kind::Binary(_) => {
-            let length = random.below(10) as usize;
-            let bytes: Vec<u8> = (0..length).map(|_| random.next() as u8).collect();
-            if length == 0 {
-                Input::Null
-            } else {
-                Input::Binary(bytes, length * 8)
-            }
+            let bytes = vec(any::<u8>(), 1..10);
+            let bytes = bytes.prop_map(|bytes| Input::Binary(bytes.clone(), bytes.len() * 8));
+            prop_oneof![1 => Just(Input::Null), 9 => bytes].boxed()
         }
-        Kind::Spare => Input::Null,
+        Kind::Spare => Just(Input::Null).boxed(),
     }
 }
 
-/// Sets every field of some items; a field on which others depend is set first, as it stands there twice.
-fn fill(random: &mut Random, items: &'static [Item], entry: usize, mut draft: Draft) -> Draft {
-    for item in items {
-        draft = match item {
-            Item::Field(field) if field.name.is_empty() || field.name == "type" => draft,
-            Item::Field(field) => {
-                let value = value(random, field);
-                draft.with_entry(field.name, entry, value)
-            }
-            Item::Each(_, most, _, items) => {
-                let entries = 1 + random.below(*most as u64) as usize;
-                (1..=entries).fold(draft, |draft, entry| fill(random, items, entry, draft))
-            }
-            Item::Part(items)
-            | Item::When(_, items)
-            | Item::Longer(_, items)
-            | Item::Auxiliary(_, items) => fill(random, items, entry, draft),
-        };
-    }
-    draft
+/// Name, entry and value of a field.
+type Setting = (&'static str, usize, Input);
+
+/// A value for every field of some items; a field on which others depend is set first, as it stands there twice.
+fn settings(items: &'static [Item], entry: usize) -> BoxedStrategy<Vec<Setting>> {
+    let each = items.iter().map(|item| match item {
+        Item::Field(field) if field.name.is_empty() || field.name == "type" => {
+            Just(Vec::new()).boxed()
+        }
+        Item::Field(field) => value(field)
+            .prop_map(move |value| std::vec![(field.name, entry, value)])
+            .boxed(),
+        Item::Each(_, most, _, items) => {
+            let entries: Vec<_> = (1..=*most).map(|entry| settings(items, entry)).collect();
+            (1..=*most, entries)
+                .prop_map(|(count, entries)| entries[..count].concat())
+                .boxed()
+        }
+        Item::Part(items)
+        | Item::When(_, items)
+        | Item::Longer(_, items)
+        | Item::Auxiliary(_, items) => settings(items, entry),
+    });
+    let each: Vec<_> = each.collect();
+    each.prop_map(|settings| settings.concat()).boxed()
 }
 
 #[test]
 fn random_valid_values_come_back_in_every_message() {
-    let mut random = Random::seeded("values");
     for layout in layouts() {
-        for round in 0..300 {
-            let mut draft = fill(&mut random, HEADER, 0, Draft::new(layout.kind));
-            draft = fill(&mut random, layout.items, 0, draft);
+        let values = (settings(HEADER, 0), settings(layout.items, 0));
+        for_all(200, &values, |(header, values)| {
+            let set =
+                |draft: Draft, (name, entry, value): Setting| draft.with_entry(name, entry, value);
+            let all = header.into_iter().chain(values);
+            let draft = all.fold(Draft::new(layout.kind), set);
             let (payload, fill_bits) = draft.payload().unwrap();
             let message = RadioMessage::decode(payload.as_bytes(), fill_bits.into());
-            assert_eq!(message.faults(), [], "{draft:?}");
-            assert_eq!(message.kind(), Some(layout.kind));
+            prop_assert_eq!(message.faults(), Vec::new());
+            prop_assert_eq!(message.kind(), Some(layout.kind));
             // What the message has is what was set.
             for entry in message.entries() {
                 if entry.name() != "type" {
                     let set = draft.set(entry.name(), entry.entry);
-                    assert_eq!(
-                        Input::from(entry.value),
-                        set,
-                        "{} of {draft:?}",
-                        entry.name()
-                    );
+                    prop_assert_eq!(Input::from(entry.value), set, "{}", entry.name());
                 }
             }
             let again = Draft::of(&message).payload();
-            assert_eq!(
-                again,
-                Ok((payload, fill_bits)),
-                "message {} round {round}",
-                layout.kind
-            );
-        }
+            prop_assert_eq!(again, Ok((payload, fill_bits)));
+            Ok(())
+        });
     }
 }
 
@@ -223,7 +198,7 @@ fn hostile_bits_never_panic() {
             _ => 10 + random.below(30),
         };
         let mut payload: String = (0..length)
-            .map(|_| char::from(ARMOUR[random.below(64) as usize]))
+            .map(|_| char::from(ARMOUR[random.below(64_usize)]))
             .collect();
         if random.below(16) == 0 {
             payload.push(random.below(256) as u8 as char);

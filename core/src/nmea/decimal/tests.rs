@@ -1,8 +1,14 @@
 //! Exact decimals: reading, writing, and every odd text between.
 
 use super::*;
+use crate::nmea::tests::given::for_all;
 use alloc::string::ToString;
 use alloc::vec::Vec;
+use core::cell::Cell;
+use proptest::collection::vec;
+use proptest::prelude::{Just, Strategy, any};
+use proptest::sample::select;
+use proptest::{prop_assert_eq, prop_oneof};
 
 #[test]
 fn a_number_prints_back_as_it_was_written() {
@@ -40,42 +46,37 @@ fn a_number_prints_back_as_it_was_written() {
     }
 }
 
+/// A field of up to 20 characters with what stands before it: digits mostly, perhaps a point or a sign.
+fn field() -> impl Strategy<Value = (Vec<u8>, usize)> {
+    const ODD: &[u8] = b":/-+A,\xff\x00\xb0\x8a";
+    let digit = b'0'..=b'9';
+    let byte = prop_oneof![39 => digit.clone(), 1 => select(ODD)];
+    let odd = prop_oneof![
+        1 => Just(None),
+        1 => select(ODD).prop_map(|sign| Some((0, sign))),
+        2 => (0..20_usize).prop_map(|place| Some((place, b'.'))),
+    ];
+    let before = vec(digit, 0..24);
+    (vec(byte, 1..=20), odd, before).prop_map(|(mut field, odd, mut head)| {
+        let length = field.len();
+        if let Some((place, byte)) = odd {
+            field[place % length] = byte;
+        }
+        head.extend(field);
+        (head, length)
+    })
+}
+
 #[test]
 fn eight_at_a_time_reads_what_one_at_a_time_reads() {
-    let alphabet = b"0123456789.:/-+A,\xff\x00\xb0\x8a";
-    let mut state = 0x5EED_u64;
-    let mut below = |limit: usize| {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 16) as usize % limit
-    };
-    let mut read = 0;
-    for round in 0..300_000 {
-        let length = 1 + round % 20;
-        let head_length = length + below(24);
-        let mut head = [b'7'; 44];
-        // Digits mostly.
-        for byte in &mut head {
-            let most = if below(40) == 0 { alphabet.len() } else { 10 };
-            *byte = alphabet[below(most)];
-        }
-        let start = head_length - length;
-        match below(4) {
-            0 => {}
-            1 => head[start] = alphabet[10 + below(5)],
-            _ => head[start + below(length)] = b'.',
-        }
-        let head = &head[..head_length];
-        let expect = Decimal::parse(&head[start..]);
-        read += usize::from(expect.is_some());
-        assert_eq!(
-            Decimal::parse_last(head, length),
-            expect,
-            "{head:?} {length}"
-        );
-    }
-    assert!(read > 100_000, "{read}");
+    let read = Cell::new(0);
+    for_all(30_000, &field(), |(head, length)| {
+        let expect = Decimal::parse(&head[head.len() - length..]);
+        read.set(read.get() + usize::from(expect.is_some()));
+        prop_assert_eq!(Decimal::parse_last(&head, length), expect);
+        Ok(())
+    });
+    assert!(read.get() > 10_000, "{}", read.get());
 }
 
 #[test]
@@ -117,19 +118,13 @@ fn floats_round_to_the_declared_decimals() {
 
 #[test]
 fn both_ways_of_writing_give_the_same_digits() {
-    let mut state = 0x2545_F491_4F6C_DD1D_u64;
-    let mut random = move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state
-    };
-    for _ in 0..200_000 {
-        let mantissa = random() >> (random() % 64);
-        let number = Decimal::new(false, mantissa, (random() % 12) as u8, (random() % 9) as u8);
+    let numbers = (any::<u64>(), 0..64_u32, 0..12_u8, 0..9_u8);
+    for_all(20_000, &numbers, |(mantissa, shift, scale, whole)| {
+        let number = Decimal::new(false, mantissa >> shift, scale, whole);
         let (mut quick, mut plain) = (Vec::new(), Vec::new());
         number.write(&mut quick, true);
         number.write_long(&mut plain);
-        assert_eq!(quick, plain, "{mantissa} {number:?}");
-    }
+        prop_assert_eq!(quick, plain);
+        Ok(())
+    });
 }

@@ -1,6 +1,7 @@
 //! Framing: SEN-1, SEN-8, FB4, FB5.
 
-use super::generate::{Random, bytes, line, seed};
+use super::generate::{bytes, line};
+use super::random::Random;
 use crate::nmea::{Fault, FrameKind, Framer, decode, dictionary, with_checksum};
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -116,7 +117,7 @@ fn events(framer: &mut Framer, pieces: &[&[u8]]) -> Vec<(FrameKind, Vec<u8>, Vec
 /// FB4: random sentences and noise, split at random places.
 #[test]
 fn random_streams_split_at_random_places_give_the_same_events() {
-    let mut random = Random(seed("splits"));
+    let mut random = Random::seeded("splits");
     let noise: [&[u8]; 10] = [
         b"\r\n",
         b"\n",
@@ -133,7 +134,7 @@ fn random_streams_split_at_random_places_give_the_same_events() {
         let mut stream = Vec::new();
         for _ in 0..1 + random.below(12) {
             let definition = dictionary()[random.below(dictionary().len())];
-            let mut raw = bytes(&line(&mut random, definition));
+            let mut raw = bytes(line(&mut random, definition));
             if random.below(3) == 0 {
                 raw.truncate(random.below(raw.len()));
             }

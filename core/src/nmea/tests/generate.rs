@@ -1,214 +1,205 @@
-//! Random canonical lines of every table entry.
+//! Canonical lines of every table entry as strategies made from its row: what fails shrinks to null and to the least values.
 
+use super::given::some;
+use super::random::Random;
 use crate::nmea::decimal::Decimal;
+use crate::nmea::dictionary;
 use crate::nmea::table::{Definition, Format, Kind, Repeat};
 use crate::nmea::whole::key;
 use crate::nmea::with_checksum;
 use alloc::string::String;
 use alloc::vec::Vec;
+use proptest::collection::vec;
+use proptest::prelude::{Just, Strategy, any};
+use proptest::sample::select;
+use proptest::strategy::{BoxedStrategy, Union};
+use std::sync::OnceLock;
 
-/// A small seeded generator (xorshift).
-pub(super) struct Random(pub(super) u64);
+/// The wire fields of a member.
+type Fields = BoxedStrategy<Vec<String>>;
 
-impl Random {
-    pub(super) fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-    pub(super) fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit.max(1) as u64) as usize
-    }
-    pub(super) fn from(&mut self, low: i64, high: i64) -> i64 {
-        low + (self.next() % (high - low + 1) as u64) as i64
-    }
-    pub(super) fn pick<T: Copy>(&mut self, list: &[T]) -> T {
-        list[self.below(list.len())]
-    }
-}
-
-fn push(out: &mut String, number: Decimal, unsigned: bool) {
+fn digits(number: Decimal, unsigned: bool) -> String {
     let mut digits = Vec::new();
     number.write(&mut digits, unsigned);
-    out.push_str(core::str::from_utf8(&digits).unwrap());
+    String::from_utf8(digits).unwrap()
 }
 
-fn number(random: &mut Random, format: Format, scale: u8) -> Decimal {
+fn letter(letter: u8) -> String {
+    char::from(letter).into()
+}
+
+/// A number of the range with up to so many decimals.
+fn number(format: Format, decimals: u8) -> impl Strategy<Value = Decimal> {
     let low = i64::from(format.low.max(-99_999));
     let high = i64::from(format.high.min(99_999));
-    let whole = random.from(low, high);
-    let scale = if whole == low || whole == high {
-        0
-    } else {
-        scale
-    };
-    let one = 10u64.pow(u32::from(scale));
-    let mantissa = whole.unsigned_abs() * one + random.next() % one;
-    Decimal::new(whole < 0, mantissa, scale, format.whole)
+    (low..=high, 0..=decimals, any::<u64>()).prop_map(move |(whole, scale, part)| {
+        let scale = if whole == low || whole == high {
+            0
+        } else {
+            scale
+        };
+        let one = 10u64.pow(scale.into());
+        let mantissa = whole.unsigned_abs() * one + part % one;
+        Decimal::new(whole < 0, mantissa, scale, format.whole)
+    })
+}
+
+/// One of five is null.
+fn or_null<const N: usize>(value: impl Strategy<Value = [String; N]> + 'static) -> Fields {
+    let null = Just(core::array::from_fn(|_| String::new())).boxed();
+    let either: Union<BoxedStrategy<[String; N]>> =
+        Union::new_weighted(std::vec![(1, null), (4, value.boxed())]);
+    either.prop_map(|fields| fields.to_vec()).boxed()
+}
+
+/// Up to so many pieces, one after the other.
+fn pieces(pieces: Vec<String>, most: usize) -> impl Strategy<Value = [String; 1]> {
+    vec(select(pieces), 1..=most).prop_map(|all| [all.concat()])
+}
+
+fn characters(characters: &[u8], most: usize) -> impl Strategy<Value = [String; 1]> {
+    pieces(characters.iter().map(|&c| letter(c)).collect(), most)
+}
+
+/// A latitude or a longitude and its side.
+fn half(degrees: u64, whole: u8, sides: [u8; 2]) -> impl Strategy<Value = [String; 2]> {
+    let parts = (
+        0..degrees,
+        0..60u64,
+        0..=5u8,
+        any::<u64>(),
+        select(sides.to_vec()),
+    );
+    parts.prop_map(move |(degrees, minutes, scale, part, side)| {
+        let one = 10u64.pow(scale.into());
+        let mantissa = (degrees * 100 + minutes) * one + part % one;
+        let angle = Decimal::new(false, mantissa, scale, whole);
+        [digits(angle, true), letter(side)]
+    })
 }
 
 /// Canonical fields of a member, or its null form.
-fn fields(random: &mut Random, kind: &Kind, out: &mut Vec<String>) {
-    let null = random.below(5) == 0;
-    let mut field = String::new();
-    let letter = |letter: u8| String::from(char::from(letter));
+fn member(kind: &Kind) -> Fields {
     match kind {
-        Kind::Number(format) | Kind::Lettered(format, _) => {
-            if !null {
-                let scale = random.below(5) as u8;
-                push(&mut field, number(random, *format, scale), false);
-            }
-            out.push(field);
-            if let Kind::Lettered(_, l) = kind {
-                out.push(letter(*l));
-            }
+        Kind::Number(format) => or_null(number(*format, 4).prop_map(|n| [digits(n, false)])),
+        Kind::Lettered(format, unit) => {
+            let unit = letter(*unit);
+            or_null(number(*format, 4).prop_map(|n| [digits(n, false)]))
+                .prop_map(move |fields| [fields, std::vec![unit.clone()]].concat())
+                .boxed()
         }
-        Kind::Integer(format) => {
-            if !null {
-                push(&mut field, number(random, *format, 0), false);
-            }
-            out.push(field);
-        }
+        Kind::Integer(format) => or_null(number(*format, 0).prop_map(|n| [digits(n, false)])),
         Kind::Sided(format, sides) | Kind::Crossed(format, sides, _) => {
-            let mut side = String::new();
-            if !null {
-                let scale = random.below(5) as u8;
-                push(&mut field, number(random, *format, scale), true);
-                side = letter(random.pick(&[sides.negative, sides.positive]));
-            }
-            out.extend([field, side]);
-            if let Kind::Crossed(_, _, l) = kind {
-                out.push(letter(*l));
-            }
-        }
-        Kind::Code(letters) => out.push(if null {
-            field
-        } else {
-            letter(random.pick(letters))
-        }),
-        Kind::Letters(letters, most) => {
-            if !null {
-                for _ in 0..1 + random.below(usize::from(*most)) {
-                    field.push(char::from(random.pick(letters)));
+            let sides = select(std::vec![sides.positive, sides.negative]);
+            let sided = (number(*format, 4), sides);
+            let sided = or_null(sided.prop_map(|(n, side)| [digits(n, true), letter(side)]));
+            match kind {
+                Kind::Crossed(_, _, unit) => {
+                    let unit = letter(*unit);
+                    sided
+                        .prop_map(move |fields| [fields, std::vec![unit.clone()]].concat())
+                        .boxed()
                 }
+                _ => sided,
             }
-            out.push(field);
         }
+        Kind::Code(letters) => or_null(characters(letters, 1)),
+        Kind::Letters(letters, most) => or_null(characters(letters, usize::from(*most))),
         Kind::Words(words) => {
-            if !null {
-                field = random.pick(words).into();
-            }
-            out.push(field);
+            let words = words.iter().map(|&word| word.into()).collect();
+            or_null(pieces(words, 1))
         }
         Kind::Text(limit) => {
-            if !null {
-                // Each piece is one character of the text.
-                let pieces = ["A", "b", "7", " ", "-", "^2C", "\u{e9}", "^21", "/"];
-                for _ in 0..1 + random.below(usize::from(*limit).min(12)) {
-                    field.push_str(random.pick(&pieces));
-                }
-            }
-            out.push(field);
+            // Each piece is one character of the text.
+            let each = ["A", "b", "7", " ", "-", "^2C", "\u{e9}", "^21", "/"];
+            let each = each.map(String::from).to_vec();
+            or_null(pieces(each, usize::from(*limit).min(12)))
         }
         Kind::Position(_) => {
-            let mut half = |random: &mut Random, degrees: i64, digits, sides: [u8; 2]| {
-                let mut field = String::new();
-                let scale = random.below(6) as u8;
-                let one = 10u64.pow(u32::from(scale));
-                let minutes = random.from(0, degrees - 1) as u64 * 100 + random.next() % 60;
-                let mantissa = minutes * one + random.next() % one;
-                push(
-                    &mut field,
-                    Decimal::new(false, mantissa, scale, digits),
-                    true,
-                );
-                let side = letter(random.pick(&sides));
-                if null {
-                    out.extend([String::new(), String::new()])
-                } else {
-                    out.extend([field, side])
-                }
-            };
-            half(random, 90, 4, *b"NS");
-            half(random, 180, 5, *b"EW");
+            let halves = (half(90, 4, *b"NS"), half(180, 5, *b"EW"));
+            or_null(halves.prop_map(|([a, b], [c, d])| [a, b, c, d]))
         }
-        Kind::Angle { degrees: 2, .. } => out.extend(["5959.9".into(), "S".into()]),
-        Kind::Angle { .. } => out.extend(["17900.0".into(), "W".into()]),
+        Kind::Angle { degrees: 2, .. } => or_null(half(90, 4, *b"NS")),
+        Kind::Angle { .. } => or_null(half(180, 5, *b"EW")),
         Kind::Time => {
-            if !null {
-                let clock = random.below(24) * 10_000 + random.below(60) * 100 + random.below(61);
-                let scale = random.below(4) as u8;
-                let one = 10u64.pow(u32::from(scale));
-                let mantissa = clock as u64 * one + random.next() % one;
-                push(&mut field, Decimal::new(false, mantissa, scale, 6), true);
-            }
-            out.push(field);
+            let parts = (0..24u64, 0..60u64, 0..=60u64, 0..=3u8, any::<u64>());
+            or_null(parts.prop_map(|(hour, minute, second, scale, part)| {
+                let one = 10u64.pow(scale.into());
+                let clock = hour * 10_000 + minute * 100 + second;
+                let time = Decimal::new(false, clock * one + part % one, scale, 6);
+                [digits(time, true)]
+            }))
         }
         Kind::Date => {
-            if !null {
-                field = alloc::format!(
-                    "{:02}{:02}{:02}",
-                    random.from(1, 28),
-                    random.from(1, 12),
-                    random.from(0, 99)
-                );
-            }
-            out.push(field);
+            let parts = (1..=28, 1..=12, 0..=99);
+            or_null(parts.prop_map(|(d, m, y)| [alloc::format!("{d:02}{m:02}{y:02}")]))
         }
-        Kind::Hex(digits) => {
-            if !null {
-                for _ in 0..=random.below(usize::from(*digits)) {
-                    field.push(random.pick(&['0', '3', '9', 'A', 'F']));
-                }
-            }
-            out.push(field);
-        }
+        Kind::Hex(most) => or_null(characters(b"039AF", usize::from(*most))),
+        Kind::Any => or_null(characters(b"09:W`wk", 20)),
         // A sentence that alone carries nothing has a fault.
-        Kind::Payload | Kind::Any => {
-            if !null || matches!(kind, Kind::Payload) {
-                for _ in 0..=random.below(20) {
-                    field.push(random.pick(&['0', '9', ':', 'W', '`', 'w', 'k']));
-                }
-            }
-            out.push(field);
-        }
+        Kind::Payload => characters(b"09:W`wk", 20)
+            .prop_map(|fields| fields.to_vec())
+            .boxed(),
     }
 }
 
-/// A canonical line of a sentence.
-pub(super) fn line(random: &mut Random, definition: &Definition) -> String {
-    let mut all = Vec::new();
-    for kind in definition.members {
-        fields(random, kind, &mut all);
-    }
-    if let Some(group) = &definition.group {
-        let count = match group.repeat {
-            Repeat::UpTo(most) if group.members.len() == 1 => usize::from(most),
-            Repeat::UpTo(most) => 1 + random.below(usize::from(most)),
-            Repeat::Counted(at) => {
-                let count = random.below(4);
-                all[usize::from(at)] = alloc::format!("{count}");
-                count
-            }
-            Repeat::Open => 1 + random.below(3),
-        };
-        for _ in 0..count {
-            for kind in group.members {
-                fields(random, kind, &mut all);
-            }
+/// Canonical lines of a sentence.
+pub(super) fn lines(definition: &'static Definition) -> BoxedStrategy<String> {
+    let list = |members: &[Kind]| -> Vec<Fields> { members.iter().map(member).collect() };
+    let (group, count) = match &definition.group {
+        None => (&[][..], 0..=0),
+        Some(group) => {
+            let count = match group.repeat {
+                Repeat::UpTo(most) if group.members.len() == 1 => most..=most,
+                Repeat::UpTo(most) => 1..=most,
+                Repeat::Counted(_) => 0..=3,
+                Repeat::Open => 1..=3,
+            };
+            (group.members, count)
         }
-        if random.below(2) == 0 {
-            for kind in definition.tail {
-                fields(random, kind, &mut all);
+    };
+    let entries: Vec<Vec<Fields>> = (0..*count.end()).map(|_| list(group)).collect();
+    let lengths = match definition.lengths {
+        [] => std::vec![0],
+        lengths => lengths.to_vec(),
+    };
+    let parts = (
+        list(definition.members),
+        (count, entries),
+        (any::<bool>(), list(definition.tail)),
+        select(lengths),
+    );
+    parts
+        .prop_map(|(members, (count, entries), (with_tail, tail), length)| {
+            let mut all = members.concat();
+            if let Some(group) = &definition.group {
+                if let Repeat::Counted(at) = group.repeat {
+                    all[usize::from(at)] = alloc::format!("{count}");
+                }
+                let entries = entries.into_iter().take(usize::from(count));
+                all.extend(entries.flatten().flatten());
+                if with_tail {
+                    all.extend(tail.concat());
+                }
+            } else {
+                all.truncate(usize::from(length) - definition.first());
             }
-        }
-    } else {
-        let length = usize::from(random.pick(definition.lengths));
-        all.truncate(length - definition.first());
-    }
-    whole(definition, &mut all);
-    written(definition, &all)
+            whole(definition, &mut all);
+            written(definition, &all)
+        })
+        .boxed()
+}
+
+/// One of some canonical lines of a sentence.
+pub(super) fn line(random: &mut Random, definition: &Definition) -> &'static str {
+    static LINES: OnceLock<Vec<Vec<String>>> = OnceLock::new();
+    let lines = LINES.get_or_init(|| {
+        let all = dictionary().iter();
+        all.map(|definition| some(64, &lines(definition))).collect()
+    });
+    let place = |one: &&Definition| core::ptr::eq(*one, definition);
+    let place = dictionary().iter().position(place).unwrap();
+    &lines[place][random.below(64_usize)]
 }
 
 /// What stands in a member that is not null, the same each time.
@@ -281,11 +272,4 @@ pub(super) fn written(definition: &Definition, all: &[String]) -> String {
 /// The bytes of a line: ISO 8859-1.
 pub(super) fn bytes(line: &str) -> Vec<u8> {
     line.chars().map(|c| u32::from(c) as u8).collect()
-}
-
-pub(super) fn seed(name: &str) -> u64 {
-    // Fixed, so that a failure comes again; printed, so that it can be changed.
-    let seed = 0x5EED_0183_u64 ^ name.len() as u64;
-    std::eprintln!("{name}: seed {seed:#x}");
-    seed
 }

@@ -1,10 +1,9 @@
-//! What no field may do to the decoder: FB1, FB2 and FB6 over every table entry.
-#![allow(clippy::disallowed_types, reason = "FB1 and FB2 are times")]
+//! What no field may do to the decoder: FB1, FB2 and FB6 over every table entry; how long it may take is measured by `benches/hostile`.
 
-use super::generate::{Random, bytes, line, seed};
+use super::generate::{bytes, line};
+use super::random::Random;
 use crate::nmea::explain::explain;
 use crate::nmea::*;
-use alloc::string::String;
 use alloc::vec::Vec;
 
 const HOSTILE: &[&str] = &[
@@ -52,33 +51,10 @@ const HOSTILE: &[&str] = &[
     "7777777777777777777777777777777777777777777777777777777777777777777777777777777777777777",
 ];
 
-/// The longest time that a sentence may take, microseconds (FB2).
-const WORST_US: u128 = 100;
-
-/// Decodes once more where it took too long: another program may have had the processor.
-fn in_time(raw: &[u8]) {
-    let took = || {
-        let begun = std::time::Instant::now();
-        let sentence = decode(raw);
-        let found = (
-            sentence.faults().len(),
-            encode(&sentence).map(|text| text.len()),
-        );
-        core::hint::black_box(found);
-        begun.elapsed().as_micros()
-    };
-    let best = (0..5).map(|_| took()).find(|time| *time <= WORST_US);
-    assert!(
-        best.is_some(),
-        "over {WORST_US} us: {}",
-        String::from_utf8_lossy(raw)
-    );
-}
-
 /// FB2.
 #[test]
 fn hostile_fields_never_panic_and_each_fault_names_a_field() {
-    let mut random = Random(seed("hostile"));
+    let mut random = Random::seeded("hostile");
     // A million in the long form.
     let rounds = if std::env::var_os("WHEELOVER_LONG").is_some() {
         1_000_000
@@ -100,7 +76,6 @@ fn hostile_fields_never_panic_and_each_fault_names_a_field() {
             }
         }
         let raw = bytes(&with_checksum(&parts.join(",")));
-        in_time(&raw);
         let sentence = decode(&raw);
         let count = sentence.fields.len();
         let named = |fault: &Fault| {
@@ -146,30 +121,18 @@ fn hostile_fields_never_panic_and_each_fault_names_a_field() {
 /// Bytes of FB1.
 const MUTATED: usize = 1_000_000_000;
 
-/// Seconds that this thread has computed; where the system does not say, seconds.
-fn computed(begun: std::time::Instant) -> f64 {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    let nanoseconds = text
-        .split(' ')
-        .next()
-        .and_then(|first| first.parse::<f64>().ok());
-    nanoseconds.map_or(begun.elapsed().as_secs_f64(), |n| n / 1e9)
-}
-
-/// FB1: any bytes, at 100 MB/s at least, with overflow checks on.
+/// FB1: any bytes, with overflow checks on.
 #[test]
-fn mutated_bytes_never_panic_and_are_read_fast() {
-    let mut random = Random(seed("bytes"));
+fn mutated_bytes_never_panic() {
+    let mut random = Random::seeded("bytes");
     let mut stream = Vec::new();
     for round in 0..4 * dictionary().len() {
         let definition = dictionary()[round % dictionary().len()];
-        stream.extend(bytes(&line(&mut random, definition)));
+        stream.extend(bytes(line(&mut random, definition)));
         stream.extend_from_slice(b"\r\n");
     }
     let mut framer = Framer::new();
     let (mut read, mut frames, mut faults) = (0, 0usize, Vec::new());
-    let begun = std::time::Instant::now();
-    let before = computed(begun);
     while read < MUTATED {
         let whole = stream.clone();
         // One byte in two hundred: another one, one less, or one more.
@@ -198,8 +161,6 @@ fn mutated_bytes_never_panic_and_are_read_fast() {
             stream = whole;
         }
     }
-    let rate = read as f64 / 1e6 / (computed(begun) - before);
-    std::eprintln!("{read} bytes in {frames} frames, {rate:.0} MB/s");
+    std::eprintln!("{read} bytes in {frames} frames");
     assert!(frames > read / 400, "{frames} frames");
-    assert!(rate >= 100.0, "{rate:.0} MB/s");
 }

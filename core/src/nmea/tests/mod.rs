@@ -4,8 +4,11 @@ mod bounded;
 mod codes;
 mod framing;
 mod generate;
+pub(super) mod given;
 mod hostile;
-mod random;
+#[path = "../../../../tests/random.rs"]
+pub(super) mod random;
+mod round_trip;
 mod sweep;
 mod views;
 mod wrong_field;

@@ -1,6 +1,7 @@
 //! One wrong field: it is reported, and every other member keeps its value, in every sentence of the dictionary.
 
-use super::generate::{Random, bytes, line, seed};
+use super::generate::{bytes, line};
+use super::random::Random;
 use crate::nmea::*;
 use alloc::format;
 use alloc::string::String;
@@ -22,12 +23,12 @@ fn values(raw: &[u8]) -> Vec<(usize, usize, String)> {
 
 #[test]
 fn one_wrong_field_is_reported_and_the_others_keep_their_values() {
-    let mut random = Random(seed("one wrong field"));
+    let mut random = Random::seeded("one wrong field");
     let mut reported = 0;
     for round in 0..40 * dictionary().len() {
         let definition = dictionary()[round % dictionary().len()];
         let text = line(&mut random, definition);
-        let before = values(&bytes(&text));
+        let before = values(&bytes(text));
         let parts: Vec<&str> = text[..text.len() - 3].split(',').collect();
         for at in 1..parts.len() {
             let mut changed = parts.clone();

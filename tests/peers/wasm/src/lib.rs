@@ -15,7 +15,7 @@ thread_local! {
 /// Makes a file of so many lines: 0 is GNSS, 1 the bridge.
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare(file: u32, count: u32) {
-    let mut random = lines::Random::new(0x5EED_0183);
+    let mut random = lines::Random(0x5EED_0183);
     TEXT.with_borrow_mut(|text| {
         text.clear();
         for _ in 0..count {
