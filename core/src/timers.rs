@@ -20,8 +20,10 @@ impl<T: Copy + PartialEq> Timers<T> {
 
     /// Sets a timer, whether it runs or not.
     pub(crate) fn set(&mut self, timer: T, at: Stamp) {
-        self.stop(timer);
-        self.running.push((timer, at));
+        match self.running.iter_mut().find(|(one, _)| *one == timer) {
+            Some((_, time)) => *time = at,
+            None => self.running.push((timer, at)),
+        }
     }
 
     /// Sets a timer that does not run; the time that stands.

@@ -1,6 +1,6 @@
 //! The course of the station: bytes and orders in, a burst of sentences each second.
 
-use super::state::ChartSystem;
+use super::state::{ChartSystem, Timer};
 use crate::nmea::Sentence;
 use crate::post::{self, Post, Station};
 use crate::station::{Input, Output, PortIndex};
@@ -28,12 +28,12 @@ impl ChartSystem {
     /// When the next sentences are due, or a silent autopilot is to be noticed.
     #[must_use]
     pub fn due(&self) -> Stamp {
-        let next = self.next.unwrap_or(self.now);
+        let next = self.timers.at(Timer::Second).unwrap_or(self.now);
         self.silent_at().map_or(next, |silent| next.min(silent))
     }
 
     fn run(&mut self, now: Stamp, out: &mut Vec<Output>) {
-        let mut next = self.next.unwrap_or(now);
+        let mut next = self.timers.begin(Timer::Second, now);
         // Late by more than two periods: the missed sentences are not made up for.
         if now.since(next) > 2 * SECOND_MS {
             next = next + now.since(next) / SECOND_MS * SECOND_MS;
@@ -42,7 +42,7 @@ impl ChartSystem {
             self.step(next, out);
             next = next + SECOND_MS;
         }
-        self.next = Some(next);
+        self.timers.set(Timer::Second, next);
         self.now = self.now.max(now);
         self.supervise(now);
     }

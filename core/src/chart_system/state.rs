@@ -11,6 +11,7 @@ use crate::post::Post;
 use crate::route::{Progress, Route};
 use crate::station::Role;
 use crate::time::Stamp;
+use crate::timers::Timers;
 use crate::units::{Distance, Speed};
 use alloc::format;
 use alloc::string::String;
@@ -34,7 +35,14 @@ pub struct ChartSystem {
     pub(super) watch: TurnIndications,
     pub(super) why: String,
     pub(super) now: Stamp,
-    pub(super) next: Option<Stamp>,
+    pub(super) timers: Timers<Timer>,
+}
+
+/// The chart system's own times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) enum Timer {
+    /// When the next second's sentences are due; it runs from the first input on.
+    Second,
 }
 
 impl ChartSystem {
@@ -53,7 +61,7 @@ impl ChartSystem {
             watch: TurnIndications::default(),
             why: String::new(),
             now: Stamp::default(),
-            next: None,
+            timers: Timers::new(&[]),
             route: None,
             revision: 0,
             config,

@@ -22,6 +22,7 @@ use crate::post::{self, Post, Station};
 use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::talk::{self, Row, SECOND_MS, Saying};
 use crate::time::Stamp;
+use crate::timers::Timers;
 use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
 use alloc::format;
 use alloc::string::String;
@@ -104,6 +105,13 @@ pub struct Truth {
     pub rudder: RudderAngle,
 }
 
+/// The ship's own times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+enum Timer {
+    /// When the next step is due.
+    Step,
+}
+
 /// Hull, steering gear and sensors behind ports.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct World {
@@ -119,7 +127,7 @@ pub struct World {
     /// Last valid rudder order (rad) and when it came.
     order: Option<(f64, Stamp)>,
     post: Post,
-    next: Stamp,
+    timers: Timers<Timer>,
     steps: u64,
     sailed: f64,
 }
@@ -151,7 +159,7 @@ impl World {
             log_speed: speed,
             order: None,
             post: Post::new(Role::World, ports),
-            next: Stamp(0),
+            timers: Timers::new(&[(Timer::Step, Stamp(0))]),
             steps: 0,
             sailed: 0.0,
             config,
@@ -162,8 +170,8 @@ impl World {
 
     /// When the next step is due.
     #[must_use]
-    pub const fn due(&self) -> Stamp {
-        self.next
+    pub fn due(&self) -> Stamp {
+        self.timers.at(Timer::Step).unwrap_or_default()
     }
 
     /// What it has heard and said; pages fold the same lines.
@@ -187,11 +195,12 @@ impl World {
 
     /// Runs all steps due up to `now`, then takes the input.
     pub fn handle(&mut self, now: Stamp, input: Input<'_>, out: &mut Vec<Output>) {
-        while self.next <= now {
-            if matches!(input, Input::Stalled { .. }) {
-                self.next = self.next + STEP; // the ship stood still as her computer did
-            } else {
-                self.step(out);
+        while self.due() <= now {
+            let at = self.due();
+            self.timers.set(Timer::Step, at + STEP);
+            // After a stall the ship stood still as her computer did.
+            if !matches!(input, Input::Stalled { .. }) {
+                self.step(at, out);
             }
         }
         match input {
@@ -278,8 +287,7 @@ impl World {
         }
     }
 
-    fn step(&mut self, out: &mut Vec<Output>) {
-        let now = self.next;
+    fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         post::time_out(self, now, out);
         let dt = STEP as f64 / 1000.0;
         self.drive.order = match self.order {
@@ -325,7 +333,6 @@ impl World {
             }
         }
         self.steps += 1;
-        self.next = now + STEP;
     }
 
     fn measure_each_second(&mut self) {
