@@ -3,7 +3,6 @@
 use super::Sight;
 use super::compass::Doubt;
 use super::monitor::HeadingMonitor;
-use super::north::North;
 use super::source::Refused;
 use super::speed::Measure;
 use crate::facts::Quantity;
@@ -22,11 +21,6 @@ impl Sight {
     /// The compass in use.
     pub(in super::super) const fn compass(&self) -> Option<&Source> {
         self.headings.compasses.in_use()
-    }
-
-    /// Whether headings are of magnetic north: no variation is known (AP-10).
-    pub(in super::super) fn is_magnetic(&self) -> bool {
-        self.headings.north == North::Magnetic
     }
 
     /// What the heading monitor has to say (AP-10).

@@ -30,6 +30,7 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 use headings::Headings;
+use north::North;
 use position::{PositionGuard, Said};
 use serde::{Deserialize, Serialize};
 pub(super) use sighted::Sighted;
@@ -260,6 +261,11 @@ impl Sight {
     pub(super) fn speed(&self, settings: &Settings) -> Speed {
         let cruise = Speed::from_knots(settings.cruise_speed);
         self.speeds.for_gains().unwrap_or(cruise)
+    }
+
+    /// Whether headings are of magnetic north: no variation is known (AP-10).
+    pub(super) fn is_magnetic(&self) -> bool {
+        self.headings.north == North::Magnetic
     }
 
     /// What the laws are told; absent without a heading. `order` is the one that the rudder has.
