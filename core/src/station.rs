@@ -66,13 +66,15 @@ pub enum Profile {
     Gear,
     /// Hand-held control unit.
     Hmi,
+    /// Bridge alert management.
+    Bams,
     /// A listener: shown, never used.
     Monitor,
 }
 
 impl Profile {
     /// All, in the order of the interface (section 3a).
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Ecdis,
         Self::Gyro1,
         Self::Gyro2,
@@ -84,6 +86,7 @@ impl Profile {
         Self::Rot,
         Self::Gear,
         Self::Hmi,
+        Self::Bams,
         Self::Monitor,
     ];
 
@@ -102,6 +105,7 @@ impl Profile {
             Self::Rot => "rot",
             Self::Gear => "gear",
             Self::Hmi => "hmi",
+            Self::Bams => "bams",
             Self::Monitor => "monitor",
         }
     }
@@ -170,6 +174,14 @@ pub enum Input<'a> {
     Tick,
 }
 
+/// A contact that a station closes and opens; open while it does not run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Contact {
+    /// Closed while the back-up navigator is called (FA15, TCS-11).
+    BackupNavigator,
+}
+
 /// What comes out of a station.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Output {
@@ -191,6 +203,13 @@ pub enum Output {
     },
     /// What became of an order: what followed, or why it was not done.
     Answer(Result<String, Refusal>),
+    /// A contact closes or opens.
+    Contact {
+        /// Which.
+        contact: Contact,
+        /// It closes.
+        closed: bool,
+    },
     /// A setting to be kept over a restart.
     Persist {
         /// Its name in the settings table.
@@ -198,4 +217,14 @@ pub enum Output {
         /// Its value.
         value: Value,
     },
+}
+
+impl Output {
+    /// The contact of the back-up navigator.
+    pub(crate) const fn backup_navigator(closed: bool) -> Self {
+        Self::Contact {
+            contact: Contact::BackupNavigator,
+            closed,
+        }
+    }
 }

@@ -1,7 +1,8 @@
-//! `docs/sentences.md` and `docs/modes.md` are what the code says. `WHEELOVER_REWRITE=1` writes it anew.
+//! `docs/alerts.md`, `docs/sentences.md` and `docs/modes.md` are what the code says. `WHEELOVER_REWRITE=1` writes it anew.
 
 use std::fs;
 use std::path::PathBuf;
+use wheelover_core::alerts;
 use wheelover_core::autopilot::modes_document;
 use wheelover_core::nmea::{dictionary, document};
 
@@ -13,6 +14,11 @@ fn the_document_of_the_sentences_is_up_to_date() {
 #[test]
 fn the_document_of_the_modes_is_up_to_date() {
     is_up_to_date("modes.md", &modes_document());
+}
+
+#[test]
+fn the_document_of_the_alerts_is_up_to_date() {
+    is_up_to_date("alerts.md", &alerts::document());
 }
 
 fn is_up_to_date(name: &str, document: &str) {

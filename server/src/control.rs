@@ -308,6 +308,15 @@ impl Thread {
                         keeper.keep(key, value);
                     }
                 }
+                VoyageOutput::Contact {
+                    station,
+                    contact,
+                    closed,
+                } => tracing::warn!(
+                    "{}: contact {contact:?} {}",
+                    station.name(),
+                    if closed { "closes" } else { "opens" }
+                ),
                 VoyageOutput::Route => self.tell_route(),
                 VoyageOutput::Settings => self.tell_settings(),
             }

@@ -44,9 +44,15 @@ impl Outbox {
                 since: now,
             };
             let place = slot(line);
-            if let Some(old) = waiting.iter_mut().find(|old| old.slot() == place) {
-                *old = fresh;
-                continue;
+            let old = waiting.iter().position(|old| old.slot() == place);
+            match old {
+                // Parts of a message leave in their order: a new first part is never behind a new second one.
+                Some(old) if place.event => drop(waiting.remove(old)),
+                Some(old) => {
+                    waiting[old] = fresh;
+                    continue;
+                }
+                None => {}
             }
             if waiting.len() >= PLACES {
                 let periodic = waiting.iter().position(|old| !old.slot().event);

@@ -5,6 +5,7 @@ mod dialogue;
 mod foreign;
 mod golden;
 mod hostile;
+mod management;
 mod no_route;
 mod two_programs;
 
@@ -23,7 +24,7 @@ fn autopilot(folder: &Path, ports: &[&str], allow_output: bool) -> String {
             "[[port]]\nname = \"{port}\"\nkind = \"serial\"\npath = \"{}\"\nbaud = 38400\n\
              profile = \"{port}\"\noutput = {}\n",
             folder.join(port).display(),
-            matches!(*port, "ecdis" | "gear")
+            matches!(*port, "bams" | "ecdis" | "gear")
         );
     }
     let file = folder.join("wheelover.toml");

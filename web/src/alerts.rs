@@ -36,10 +36,9 @@ const fn flashes(state: State, priority: Priority) -> bool {
         )
 }
 
-/// Whether the page may acknowledge it: not a caution, not at its source only, not done yet.
+/// Whether the page may acknowledge it: not a caution, not done yet. The page shows the reasons, so category A too.
 fn may_acknowledge(alert: &AlertView) -> bool {
     alert.priority != Priority::Caution
-        && alert.category == Category::B
         && matches!(
             alert.state,
             State::Unacknowledged | State::Silenced | State::RectifiedUnacknowledged
@@ -217,7 +216,7 @@ fn aside(alert: &AlertView) -> String {
         Priority::Caution => "Caution",
     };
     match alert.category {
-        Category::A => format!("{priority} · cat A: ack at AP"),
+        Category::A => format!("{priority} · cat A"),
         Category::B => format!("{priority} · cat B"),
     }
 }

@@ -1,32 +1,28 @@
-//! The autopilot's alerts: the machine that keeps them, and their reports on the line (AP-11, FA15).
+//! The autopilot's alerts: the machine that keeps them, and what is said and heard of them (AP-11, FA15).
 
+use super::modes::Modes;
 use super::notices::Notice;
-use crate::alerts::{Alert, Alerts, State};
-use crate::nmea::{Ack, AcknowledgeState, AlarmCondition, Alr, Sentence};
+use crate::alerts::{Alert, Alerts, Reports};
+use crate::nmea::Sentence;
 use crate::post::Post;
-use crate::station::{Output, PortIndex, Role};
-use crate::talk::{self, Row, Saying, Share};
+use crate::station::{Output, PortIndex, PortSetup, Role};
 use crate::time::Stamp;
-use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
-/// Alerts, and the reports that wait for their share of the line.
+/// Alerts, and what is said of them on the ports.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Alerting {
     machine: Alerts,
-    waiting: VecDeque<Alert>,
-    share: Share,
+    reports: Reports,
 }
 
 impl Alerting {
     /// Nothing is raised, and each alert waits to be reported as it is.
-    pub(super) fn new() -> Self {
-        let own = Alert::ALL.iter().copied();
+    pub(super) fn new(ports: &[PortSetup]) -> Self {
         Self {
             machine: Alerts::default(),
-            waiting: own.filter(|alert| alert.number() < 200).collect(),
-            share: Share::default(),
+            reports: Reports::new(Role::Autopilot, ports),
         }
     }
 
@@ -54,14 +50,6 @@ impl Alerting {
         self.machine.acknowledge(now, number)
     }
 
-    /// The chart system acknowledges.
-    pub(super) fn on_ack(&mut self, now: Stamp, sentence: &Sentence<'_>) {
-        let number = Ack::from_sentence(sentence).and_then(|ack| ack.number);
-        if let Some(number) = number.and_then(|number| u16::try_from(number).ok()) {
-            self.acknowledge(now, number);
-        }
-    }
-
     /// Silences everything that sounds, or lets it sound again; the answer to it.
     pub(super) fn silence(&mut self, now: Stamp, silent: bool) -> &'static str {
         if silent {
@@ -73,70 +61,45 @@ impl Alerting {
         }
     }
 
-    /// What time alone changes.
-    pub(super) fn tick(&mut self, now: Stamp) {
+    /// What time alone changes: sound, escalation, the call of the back-up navigator, heartbeats that are not heard.
+    pub(super) fn tick(&mut self, now: Stamp, post: &Post, out: &mut Vec<Output>) {
         self.machine.tick(now);
+        let call = self.machine.call_backup(now, Alert::BackupCalled);
+        out.extend(call.map(Output::backup_navigator));
+        let lost = Alert::HeartbeatLost;
+        self.reports
+            .supervise(now, lost, post.ports(), &mut self.machine);
     }
 
-    /// Reports what changed within its share of the line (AP-11); where it is told to several, of the slowest.
+    /// Takes ACK, ACN and HBT of a port; what they ask in vain is said beside the mode.
+    pub(super) fn hear(
+        &mut self,
+        now: Stamp,
+        port: PortIndex,
+        sentence: &Sentence<'_>,
+        post: &Post,
+        modes: &mut Modes,
+    ) {
+        let Some(setup) = post.ports().get(port) else {
+            return;
+        };
+        let alerts = &mut self.machine;
+        if let Some(refused) = (self.reports).hear(now, port, setup.profile, sentence, alerts) {
+            modes.refuse(&refused);
+        }
+    }
+
+    /// Says on each port what is due there, within its share; as unit 00 in STANDBY, else 01 (AP-11, ALA 4).
     pub(super) fn report(
         &mut self,
         now: Stamp,
         step_ms: u64,
+        standby: bool,
         post: &mut Post,
         out: &mut Vec<Output>,
     ) {
-        for alert in self.machine.take_changed() {
-            self.waiting.retain(|waiting| *waiting != alert);
-            self.waiting.push_front(alert);
-        }
-        let ports = post.ports().iter().enumerate();
-        let told: Vec<(PortIndex, u32, &Row)> = ports
-            .filter(|(_, port)| port.output)
-            .filter_map(|(index, port)| {
-                let rows = talk::told(Role::Autopilot, port.profile);
-                let row = rows.iter().find(|row| row.saying == Saying::Alr)?;
-                Some((index, port.baud, row))
-            })
-            .collect();
-        let Some(&(_, baud, row)) = told
-            .iter()
-            .min_by_key(|(_, baud, _)| talk::alert_share(*baud))
-        else {
-            self.waiting.clear(); // there is nobody to tell
-            return;
-        };
-        while let Some(alert) = self.waiting.front().copied() {
-            let line = self.alr(alert).line(row.talker.unwrap_or_default());
-            if !self.share.take(now, step_ms, baud, &line) {
-                return;
-            }
-            self.waiting.pop_front();
-            for (port, ..) in &told {
-                post.say(now, *port, &line, out);
-            }
-        }
-    }
-
-    fn alr(&self, alert: Alert) -> Alr {
-        let state = self.machine.state(alert);
-        let taken = matches!(
-            state,
-            State::Acknowledged | State::Transferred | State::Normal
-        );
-        Alr {
-            number: Some(u32::from(alert.number())),
-            condition: Some(if self.machine.raised(alert) {
-                AlarmCondition::Raised
-            } else {
-                AlarmCondition::NotRaised
-            }),
-            acknowledged: Some(if taken {
-                AcknowledgeState::Acknowledged
-            } else {
-                AcknowledgeState::NotAcknowledged
-            }),
-            ..Alr::default()
-        }
+        let unit = u32::from(!standby);
+        self.reports
+            .say(now, step_ms, unit, &mut self.machine, post, out);
     }
 }

@@ -85,12 +85,12 @@ impl Autopilot {
         now: Stamp,
     ) -> Self {
         Self {
+            alerts: Alerting::new(&ports),
             post: Post::new(Role::Autopilot, ports),
             sight: Sight::default(),
             modes: Modes::new(),
             steering: Steering::of(named_ship, &settings),
             gear: Gear::default(),
-            alerts: Alerting::new(),
             settings,
             timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + SECOND_MS)]),
             now,
@@ -163,7 +163,7 @@ impl Autopilot {
     /// One control step: what is heard, what is believed of it, what is steered and why, the order, what is said.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         post::time_out(self, now, out);
-        self.keep_time(now);
+        self.keep_time(now, out);
         self.look(now);
         self.decide(now, |modes, outlook, notices| {
             modes.supervise(outlook, notices);
@@ -171,13 +171,13 @@ impl Autopilot {
         self.steer(now);
         self.watch(now);
         self.report(now, When::Step, out);
-        let step_ms = self.settings.step_ms();
-        self.alerts.report(now, step_ms, &mut self.post, out);
+        let (step_ms, standby) = (self.settings.step_ms(), !self.modes.gives_orders());
+        (self.alerts).report(now, step_ms, standby, &mut self.post, out);
     }
 
     /// What time alone changes of the alerts; a stall is over once the loop has kept its time for a while (FA16).
-    fn keep_time(&mut self, now: Stamp) {
-        self.alerts.tick(now);
+    fn keep_time(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        self.alerts.tick(now, &self.post, out);
         let stalled = self.timers.at(Timer::Stalled);
         if stalled.is_some_and(|at| now.since(at) >= STALL_OVER_MS) {
             self.timers.stop(Timer::Stalled);
@@ -371,17 +371,17 @@ impl Station for Autopilot {
     }
 
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
-        if self.post.ports()[port].profile != Profile::Ecdis {
-            return;
-        }
         match sentence.formatter {
+            "ACK" | "ACN" | "HBT" => {
+                (self.alerts).hear(now, port, sentence, &self.post, &mut self.modes);
+            }
+            _ if self.post.ports()[port].profile != Profile::Ecdis => {}
             "HTC" => self.decide(now, |modes, outlook, notices| {
                 modes.on_htc(outlook, port, sentence, notices);
             }),
             "XTE" | "PNEY,001" | "PNEY,002" => self.decide(now, |modes, outlook, _| {
                 modes.on_distance(outlook, sentence, true);
             }),
-            "ACK" => self.alerts.on_ack(now, sentence),
             _ => {}
         }
     }

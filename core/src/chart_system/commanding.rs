@@ -27,6 +27,9 @@ impl ChartSystem {
             Order::Acknowledge(number) if self.watch.acknowledge(now, *number) => {
                 Ok(format!("alert {number} acknowledged"))
             }
+            Order::Acknowledge(number) if self.acknowledge_there(*number) => Ok(format!(
+                "alert {number}: acknowledgement sent to the autopilot"
+            )),
             Order::Acknowledge(number) => {
                 refuse(format!("alert {number} waits for no acknowledgement"))
             }

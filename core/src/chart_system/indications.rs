@@ -7,14 +7,21 @@ use crate::route::Phase;
 use crate::time::Stamp;
 use alloc::format;
 
-/// Unconfirmed for so long after wheel-over, the back-up navigator is called, milliseconds.
-const BACKUP_MS: u64 = 30_000;
 /// The early indication is never given later than this before wheel-over, seconds.
 const EARLY_LEAST_S: f64 = 60.0;
 
 impl ChartSystem {
-    /// One second of the watch.
-    pub(super) fn watch_over(&mut self, now: Stamp) {
+    /// One second of the watch. Gives whether the contact of the back-up navigator is to be closed, where that changes
+    /// (TCS-11, FA15).
+    pub(super) fn watch_over(&mut self, now: Stamp) -> Option<bool> {
+        self.indicate(now);
+        let alerts = &mut self.watch.alerts;
+        alerts.tick(now);
+        alerts.call_backup(now, Alert::BackupNavigator)
+    }
+
+    /// What there is to indicate: one alert a situation, a later one takes the place of an earlier one.
+    fn indicate(&mut self, now: Stamp) {
         let seconds = self.wheel_over_s(now);
         let phase = self.progress.map(|progress| progress.phase());
         let leg = self.progress.and_then(|progress| progress.leg());
@@ -35,7 +42,6 @@ impl ChartSystem {
         let soon_s = self.config.soon_s;
 
         let watch = &mut self.watch;
-        watch.alerts.tick(now);
         watch.alerts.set(now, Alert::ChartPositionLost, lost, "");
         watch.alerts.set(now, Alert::CrossTrack, outside, "");
         if !controls || watch.leg != leg {
@@ -55,7 +61,7 @@ impl ChartSystem {
         }
         match phase {
             Some(Phase::Leg(_)) if near(soon_s) => {
-                watch.replace(now, Alert::CourseChange);
+                watch.alerts.end(now, Alert::CourseChange);
                 if !watch.confirmed {
                     let text = format!(
                         "Waypoint {id}: wheel over in {soon_s:.0} s, new course {course:.1}"
@@ -70,15 +76,11 @@ impl ChartSystem {
                 }
             }
             Some(Phase::Forwarding(_) | Phase::Arc(_)) => {
-                let since = *watch.wheel_over.get_or_insert(now);
-                watch.replace(now, Alert::CourseChange);
-                watch.replace(now, Alert::CourseChangeSoon);
+                watch.alerts.end(now, Alert::CourseChange);
+                watch.alerts.end(now, Alert::CourseChangeSoon);
                 if !watch.confirmed {
                     let text = format!("Waypoint {id}: the ship turns to {course:.1}");
                     watch.alerts.raise(now, Alert::WheelOver, &text);
-                    if now.since(since) >= BACKUP_MS {
-                        watch.alerts.raise(now, Alert::BackupNavigator, "");
-                    }
                 }
             }
             Some(Phase::Past) | None => {}

@@ -1,6 +1,7 @@
 //! The course of the station: bytes and orders in, a burst of sentences each second.
 
 use super::state::{ChartSystem, Timer};
+use crate::alerts::Alert;
 use crate::nmea::Sentence;
 use crate::post::{self, Post, Station};
 use crate::station::{Input, Output, PortIndex};
@@ -52,7 +53,11 @@ impl ChartSystem {
         self.now = now;
         post::time_out(self, now, out);
         self.monitor(now);
-        self.watch_over(now);
+        let call = self.watch_over(now);
+        out.extend(call.map(Output::backup_navigator));
+        let (lost, ports) = (Alert::ChartHeartbeatLost, self.post.ports());
+        self.reports
+            .supervise(now, lost, ports, &mut self.watch.alerts);
         for port in 0..self.post.ports().len() {
             let profile = self.post.ports()[port].profile;
             let lines: Vec<String> = self.sentences(now, profile).collect();
@@ -60,6 +65,9 @@ impl ChartSystem {
                 self.post.say(now, port, line, out);
             }
         }
+        let alerts = &mut self.watch.alerts;
+        self.reports
+            .say(now, SECOND_MS, 0, alerts, &mut self.post, out);
     }
 }
 
@@ -68,7 +76,8 @@ impl Station for ChartSystem {
         &mut self.post
     }
 
-    fn heard(&mut self, now: Stamp, _port: PortIndex, _sentence: &Sentence<'_>) {
+    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
+        self.hear_of_alerts(now, port, sentence);
         self.judge_fix(now);
         self.supervise(now);
     }

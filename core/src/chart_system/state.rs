@@ -5,7 +5,7 @@ use super::control::{Commanding, CrossTracks, Followed};
 use super::current::Current;
 use super::place::PositionGuard;
 use super::watch::TurnIndications;
-use crate::alerts::Standing;
+use crate::alerts::{HeardAlert, HeardAlerts, Reports, Standing};
 use crate::picture::Picture;
 use crate::post::Post;
 use crate::route::{Progress, Route};
@@ -33,6 +33,10 @@ pub struct ChartSystem {
     pub(super) followed: Followed,
     pub(super) shown: CrossTracks,
     pub(super) watch: TurnIndications,
+    /// What is said of its alerts.
+    pub(super) reports: Reports,
+    /// The autopilot's (TCS-13).
+    pub(super) heard: HeardAlerts,
     pub(super) why: String,
     pub(super) now: Stamp,
     pub(super) timers: Timers<Timer>,
@@ -51,6 +55,8 @@ impl ChartSystem {
     pub fn new(config: ChartConfig) -> Self {
         let mut system = Self {
             post: Post::new(Role::ChartSystem, config.ports.clone()),
+            reports: Reports::new(Role::ChartSystem, &config.ports),
+            heard: HeardAlerts::default(),
             guard: PositionGuard::default(),
             current: Current::default(),
             progress: None,
@@ -80,7 +86,7 @@ impl ChartSystem {
         self.control = Commanding::Off;
         self.progress = None;
         self.shown = CrossTracks::default();
-        self.watch = TurnIndications::default();
+        self.watch.begin_anew(self.now);
         self.why = String::from("route loaded");
     }
 
@@ -91,7 +97,7 @@ impl ChartSystem {
         self.control = Commanding::Off;
         self.progress = None;
         self.shown = CrossTracks::default();
-        self.watch = TurnIndications::default();
+        self.watch.begin_anew(self.now);
         self.why = String::from("no route");
     }
 
@@ -155,6 +161,12 @@ impl ChartSystem {
     /// Its alerts that are not normal, the highest first.
     #[must_use]
     pub fn alerts(&self) -> &[Standing] {
-        self.watch.alerts().standing()
+        self.watch.alerts.standing()
+    }
+
+    /// The autopilot's alerts as they are heard.
+    #[must_use]
+    pub fn heard_alerts(&self) -> &[HeardAlert] {
+        self.heard.standing()
     }
 }

@@ -11,12 +11,24 @@ pub(super) struct TurnIndications {
     /// Leg at whose end the turn is.
     pub(super) leg: Option<usize>,
     pub(super) confirmed: bool,
-    pub(super) wheel_over: Option<Stamp>,
 }
 
 impl TurnIndications {
-    pub(super) const fn alerts(&self) -> &Alerts {
-        &self.alerts
+    /// Another route, or none: nothing of the former one is indicated any more.
+    pub(super) fn begin_anew(&mut self, now: Stamp) {
+        for alert in [
+            Alert::CourseChange,
+            Alert::CourseChangeSoon,
+            Alert::WheelOver,
+            Alert::LastWaypoint,
+            Alert::CrossTrack,
+            Alert::ChartPositionLost,
+            Alert::AutopilotLeft,
+        ] {
+            self.alerts.end(now, alert);
+        }
+        self.leg = None;
+        self.confirmed = false;
     }
 
     pub(super) fn acknowledge(&mut self, now: Stamp, number: u16) -> bool {
@@ -52,19 +64,11 @@ impl TurnIndications {
         }
     }
 
-    /// A later indication takes the place of an earlier one: one alert a situation.
-    pub(super) fn replace(&mut self, now: Stamp, alert: Alert) {
-        self.alerts.acknowledge(now, alert.number());
-        self.alerts.rectify(now, alert);
-    }
-
     pub(super) fn turn_over(&mut self, now: Stamp) {
         for alert in [Alert::CourseChange, Alert::CourseChangeSoon] {
-            self.replace(now, alert);
+            self.alerts.end(now, alert);
         }
         self.alerts.rectify(now, Alert::WheelOver);
-        self.alerts.rectify(now, Alert::BackupNavigator);
         self.confirmed = false;
-        self.wheel_over = None;
     }
 }

@@ -24,6 +24,7 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
         (_, Profile::Rot) => &["ROT"],
         (Role::Autopilot, Profile::Gear) => &["RSA"],
         (Role::Autopilot, Profile::Hmi) => &["PEMC"],
+        (_, Profile::Bams) => &["ACN", "HBT"],
         (_, Profile::Gear | Profile::Hmi | Profile::Monitor) => &[],
     }
 }
@@ -47,6 +48,6 @@ pub(crate) const fn rank(profile: Profile) -> u8 {
         Profile::Gps2 => 5,
         Profile::Magn => 6,
         Profile::Ecdis => 7,
-        Profile::Hmi | Profile::Monitor => 9,
+        Profile::Hmi | Profile::Bams | Profile::Monitor => 9,
     }
 }

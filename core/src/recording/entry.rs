@@ -2,6 +2,7 @@
 
 use crate::command::{Answer, Order, Origin};
 use crate::settings::Value;
+use crate::station::{Contact, Role};
 use crate::time::Stamp;
 use crate::voyage::{Event, Line, VoyageOutput};
 use alloc::string::String;
@@ -54,6 +55,8 @@ pub(super) enum Entry {
     Answer(Answer),
     /// Out: a setting to be kept.
     Keep(String, Value),
+    /// Out: a contact of a station closes or opens.
+    Contact(Role, Contact, bool),
     /// Out: the route document has changed.
     Route,
     /// Out: the settings document has changed.
@@ -84,6 +87,11 @@ impl Entry {
             Self::Line(line) => Taken::Out(VoyageOutput::Line(line)),
             Self::Answer(answer) => Taken::Out(VoyageOutput::Answer(answer)),
             Self::Keep(key, value) => Taken::Out(VoyageOutput::Persist { key, value }),
+            Self::Contact(station, contact, closed) => Taken::Out(VoyageOutput::Contact {
+                station,
+                contact,
+                closed,
+            }),
             Self::Route => Taken::Out(VoyageOutput::Route),
             Self::Settings => Taken::Out(VoyageOutput::Settings),
         }
@@ -109,6 +117,11 @@ impl From<VoyageOutput> for Entry {
             VoyageOutput::Line(line) => Self::Line(line),
             VoyageOutput::Answer(answer) => Self::Answer(answer),
             VoyageOutput::Persist { key, value } => Self::Keep(key, value),
+            VoyageOutput::Contact {
+                station,
+                contact,
+                closed,
+            } => Self::Contact(station, contact, closed),
             VoyageOutput::Route => Self::Route,
             VoyageOutput::Settings => Self::Settings,
         }

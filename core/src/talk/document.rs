@@ -63,6 +63,7 @@ fn when(row: &Row) -> String {
         When::Every(ms) => alloc::format!("every {} s", ms as f64 / 1000.0),
         When::Renewed(ms) => alloc::format!("on each change and every {} s", ms as f64 / 1000.0),
         When::Step => String::from("each control step"),
-        When::Change { .. } => String::from("on each change, at most 27 % of the line"),
+        When::Change => String::from("on each change, together at most 27 % of the line"),
+        When::Asked => String::from("when an officer acknowledges"),
     }
 }

@@ -8,6 +8,8 @@ use core::fmt;
 
 /// Part of the line rate that may be used, per cent.
 const HIGHEST: u64 = 80;
+/// A person does not acknowledge more often in the long run, seconds.
+const ASKED_S: f64 = 10.0;
 
 /// The load of a line, each sentence in its longest form.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,12 +21,15 @@ pub struct Load {
 /// What a station puts on a line of a port: its control steps a second, the rate in baud.
 #[must_use]
 pub fn load(station: Role, profile: Profile, step_hz: f64, baud: u32) -> Load {
+    let mut share = alert_share(baud) as f64;
     let bytes = |row: &'static Row| {
         let longest = row.saying.definition().longest() as f64;
         let rate = match row.when {
             When::Every(period) | When::Renewed(period) => longest * 1000.0 / period as f64,
             When::Step => longest * step_hz,
-            When::Change { .. } => alert_share(baud) as f64,
+            // Together: it stands at the first of them.
+            When::Change => core::mem::take(&mut share),
+            When::Asked => longest / ASKED_S,
         };
         (row, rate)
     };
@@ -61,8 +66,9 @@ impl fmt::Display for Load {
             let plus = if index == 0 { "" } else { " + " };
             let longest = row.saying.definition().longest();
             match row.when {
-                When::Change { .. } => write!(f, "{plus}{} {bytes}", row.formatter())?,
-                When::Every(_) | When::Renewed(_) | When::Step => {
+                When::Change if *bytes > 0.0 => write!(f, "{plus}{} {bytes}", row.formatter())?,
+                When::Change => write!(f, "{plus}{} within it", row.formatter())?,
+                When::Every(_) | When::Renewed(_) | When::Step | When::Asked => {
                     let times = libm::round(bytes / longest as f64 * 100.0) / 100.0;
                     write!(f, "{plus}{} {longest} x {times}", row.formatter())?;
                 }
@@ -91,8 +97,8 @@ mod tests {
             assert!(load.to_string().contains(text), "{load}");
             assert!(!load.is_too_much(), "{load}");
         };
-        check(4_800, "ALR 129 = ");
-        check(38_400, "ALR 1036 = ");
+        check(4_800, "ALR 129 + ALA within it = ");
+        check(38_400, "ALR 1036 + ALA within it = ");
     }
 
     #[test]

@@ -12,6 +12,6 @@ mod table;
 
 pub use document::document;
 pub use load::{Load, load};
-pub(crate) use share::{Share, alert_share};
+pub(crate) use share::Share;
 pub use slot::{Slot, slot};
 pub use table::{HMS_MS, Row, SECOND_MS, Saying, TABLE, Told, When, told};

@@ -1,6 +1,8 @@
 //! The share of a line that reports of changes may take, by its rate (AP-11).
 
+use super::table::SECOND_MS;
 use crate::time::Stamp;
+use alloc::collections::VecDeque;
 use serde::{Deserialize, Serialize};
 
 /// Per cent of the line: AP-11 allows 30, and HMR has to fit on the slowest line beside them.
@@ -27,6 +29,8 @@ pub(crate) struct Share {
     credit: u64,
     /// When it was last counted.
     at: Stamp,
+    /// What left in the last second: when, and bytes. Lines of unequal length fit no even spread.
+    left: VecDeque<(Stamp, u64)>,
 }
 
 impl Share {
@@ -36,9 +40,14 @@ impl Share {
         let passed = now.since(self.at) * 1_000;
         self.at = now;
         self.credit = (self.credit + passed).min(cost.max(step_ms * 1_000));
-        let may = cost <= self.credit;
+        self.left.retain(|(at, _)| now.since(*at) < SECOND_MS);
+        let bytes = line.len() as u64 + 2;
+        let before: u64 = self.left.iter().map(|(_, bytes)| bytes).sum();
+        let fits = before == 0 || before + bytes <= alert_share(baud);
+        let may = cost <= self.credit && fits;
         if may {
             self.credit -= cost;
+            self.left.push_back((now, bytes));
         }
         may
     }

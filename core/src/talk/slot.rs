@@ -8,7 +8,7 @@ pub struct Slot<'a> {
     /// Formatter; of a maker's sentence its address and sub-address.
     formatter: &'a [u8],
     /// What it reports, where each has a place of its own.
-    of: &'a [u8],
+    of: [&'a [u8]; 2],
     /// It reports a change: it is never left out.
     pub event: bool,
 }
@@ -32,14 +32,12 @@ pub fn slot(line: &[u8]) -> Slot<'_> {
     };
     let mut rows = TABLE.iter().flat_map(|told| told.rows);
     let row = rows.find(|row| row.formatter().as_bytes() == formatter);
-    let of = row.and_then(|row| match row.when {
-        When::Change { of } => Some(of),
-        When::Every(_) | When::Renewed(_) | When::Step => None,
-    });
+    let of = row.map_or(&[][..], |row| row.of);
+    let name = |place: usize| of.get(place).map_or(&[][..], |number| field(*number));
     Slot {
         formatter,
-        of: of.map_or(&[], field),
-        event: of.is_some(),
+        of: [name(0), name(1)],
+        event: row.is_some_and(|row| matches!(row.when, When::Change | When::Asked)),
     }
 }
 
@@ -56,6 +54,22 @@ mod tests {
         assert!(!same("$PNEY,001,A*hh", "$PNEY,002,A*hh"));
         assert!(same("$AGALR,,012,A,V,*hh", "$AGALR,,012,V,V,*hh"));
         assert!(!same("$AGALR,,012,A,V,*hh", "$AGALR,,013,A,V,*hh"));
+        // A part of an alert is replaced by the same part of the same alert only; pages of a list each have their place.
+        assert!(same(
+            "$AGALF,2,1,3,,B,A,V,,10101,1,1,0,T*hh",
+            "$AGALF,2,1,4,,B,A,A,,10101,1,2,0,T*hh"
+        ));
+        assert!(!same(
+            "$AGALF,2,1,3,,B,A,V,,10101,1,1,0,T*hh",
+            "$AGALF,2,2,3,,,,,,10101,1,1,0,T*hh"
+        ));
+        assert!(!same(
+            "$AGALF,2,1,3,,B,A,V,,10101,1,1,0,T*hh",
+            "$AGALF,2,1,3,,B,A,V,,10103,1,1,0,T*hh"
+        ));
+        assert!(!same("$AGALC,02,01,03,0*hh", "$AGALC,02,02,03,0*hh"));
+        assert!(same("$AGHBT,30.0,A,1*hh", "$AGHBT,30.0,A,2*hh"));
+        assert!(!same("$AGARC,,,10115,1,A*hh", "$AGARC,,,10115,1,O*hh"));
         assert!(slot(b"$AGALR,,012,A,V,*hh").event);
         assert!(!slot(b"$PNEY,002,A*hh").event);
         for line in ["", "$", "$P", "$P,", "$AG", "x", ",,,", "*"] {

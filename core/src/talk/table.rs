@@ -18,11 +18,10 @@ pub enum When {
     Renewed(u64),
     /// With each control step (AP-15).
     Step,
-    /// When what it reports has changed, within the share of the line (AP-11).
-    Change {
-        /// Field that names what it reports, from 1: each has its own place in what waits to be sent.
-        of: usize,
-    },
+    /// When what it reports has changed or a command is refused, within the share of the line (AP-11).
+    Change,
+    /// When an officer acknowledges, or a list names what is not known.
+    Asked,
 }
 
 macro_rules! sayings {
@@ -43,7 +42,7 @@ macro_rules! sayings {
 }
 
 sayings! {
-    Alr alr, Gll gll, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Gll gll, Hbt hbt, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
     Xte xte,
 }
 
@@ -56,6 +55,8 @@ pub struct Row {
     pub talker: Option<&'static str>,
     /// When.
     pub when: When,
+    /// Fields that name what it reports, from 1: each thing has its own place in what waits to be sent (FB11).
+    pub of: &'static [usize],
 }
 
 impl Row {
@@ -70,7 +71,7 @@ impl Row {
     pub const fn period_ms(&self) -> Option<u64> {
         match self.when {
             When::Every(period) => Some(period),
-            When::Renewed(_) | When::Step | When::Change { .. } => None,
+            When::Renewed(_) | When::Step | When::Change | When::Asked => None,
         }
     }
 }
@@ -88,13 +89,20 @@ pub struct Told {
 
 const SECOND: When = When::Every(SECOND_MS);
 const TENTH: When = When::Every(100);
+const HALF_MINUTE: When = When::Every(30_000);
 
 const fn row(saying: Saying, talker: &'static str, when: When) -> Row {
     Row {
         saying,
         talker: Some(talker),
         when,
+        of: &[],
     }
+}
+
+/// Each thing that those fields name has its own place.
+const fn each(row: Row, of: &'static [usize]) -> Row {
+    Row { of, ..row }
 }
 
 const HTD: Row = row(Saying::Htd, "AG", SECOND);
@@ -108,7 +116,23 @@ const HDT: Row = Row {
     saying: Saying::Hdt,
     talker: None,
     when: SECOND,
+    of: &[],
 };
+
+/// Reports of alerts by number (AP-11).
+const fn alr(talker: &'static str) -> Row {
+    each(row(Saying::Alr, talker, When::Change), &[2])
+}
+
+/// What bridge alert management is told; IEC 62923-1: the list and the heartbeat at least once in 30 s.
+const fn to_management(talker: &'static str) -> [Row; 4] {
+    [
+        each(row(Saying::Alf, talker, When::Change), &[9, 2]),
+        each(row(Saying::Alc, talker, HALF_MINUTE), &[2]),
+        each(row(Saying::Arc, talker, When::Change), &[3, 5]),
+        row(Saying::Hbt, talker, HALF_MINUTE),
+    ]
+}
 
 /// The table.
 pub static TABLE: &[Told] = &[
@@ -122,8 +146,14 @@ pub static TABLE: &[Told] = &[
             HDT,
             HMR,
             HMS,
-            row(Saying::Alr, "AG", When::Change { of: 2 }),
+            alr("AG"),
+            each(row(Saying::Ala, "AG", When::Change), &[5]),
         ],
+    },
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Bams],
+        rows: &const { to_management("AG") },
     },
     Told {
         station: Role::Autopilot,
@@ -146,7 +176,19 @@ pub static TABLE: &[Told] = &[
             row(Saying::Gll, "EI", SECOND),
             row(Saying::Vtg, "EI", SECOND),
             row(Saying::Vhw, "EI", SECOND),
+            each(row(Saying::Ack, "EI", When::Asked), &[1]),
+            each(row(Saying::Acn, "EI", When::Asked), &[3, 5]),
         ],
+    },
+    Told {
+        station: Role::ChartSystem,
+        profiles: &[Profile::Bams],
+        rows: &const { to_management("EI") },
+    },
+    Told {
+        station: Role::ChartSystem,
+        profiles: &[Profile::Monitor],
+        rows: &[alr("EI")],
     },
     Told {
         station: Role::World,

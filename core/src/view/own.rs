@@ -1,7 +1,7 @@
 //! The stations' own facts, for the page.
 
 use super::message::{AlertView, ChartOwn, Own, Pending, RefusedView};
-use crate::alerts::Standing;
+use crate::alerts::{Category, HeardAlert, Standing};
 use crate::autopilot::{Autopilot, Mode};
 use crate::chart_system::ChartSystem;
 use crate::command::ModeRequest;
@@ -102,6 +102,20 @@ pub(super) fn chart_own(chart: &ChartSystem) -> ChartOwn {
         wheel_over_s: chart.wheel_over_s(chart.now()),
         why: chart.reason(),
     }
+}
+
+/// An alert of a foreign autopilot as it is shown; none where its identifier is larger than any that the page shows.
+#[must_use]
+pub(super) fn heard_alert(heard: &HeardAlert) -> Option<AlertView> {
+    Some(AlertView {
+        number: u16::try_from(heard.number).ok()?,
+        priority: heard.priority,
+        state: heard.state,
+        category: Category::B,
+        title: heard.title.clone(),
+        text: heard.text.clone(),
+        at: heard.at.0,
+    })
 }
 
 /// An alert as it is shown; the autopilot, where it runs here, says its own.

@@ -1,10 +1,10 @@
 //! What a voyage shows: first frame, snapshot, and the documents.
 
 use super::message::{
-    Hello, Outline, PROTOCOL, PortView, PortsDocument, RouteDocument, SettingsDocument, Snapshot,
-    VoyageOwn,
+    AlertView, Hello, Outline, PROTOCOL, PortView, PortsDocument, RouteDocument, SettingsDocument,
+    Snapshot, VoyageOwn,
 };
-use super::own::{alert, chart_own, own};
+use super::own::{alert, chart_own, heard_alert, own};
 use super::route::drawn_route;
 use crate::chart_system::ChartSystem;
 use crate::picture::PortCount;
@@ -30,8 +30,18 @@ pub fn snapshot(voyage: &Voyage) -> Snapshot {
             .alerts()
             .into_iter()
             .map(|standing| alert(standing, voyage.autopilot()))
+            .chain(heard_alerts(voyage))
             .collect(),
     }
+}
+
+/// Alerts of a foreign autopilot, as our chart system hears them (TCS-13).
+fn heard_alerts(voyage: &Voyage) -> impl Iterator<Item = AlertView> {
+    let foreign = voyage
+        .chart_system()
+        .filter(|_| voyage.autopilot().is_none());
+    let heard = foreign.into_iter().flat_map(ChartSystem::heard_alerts);
+    heard.filter_map(heard_alert)
 }
 
 fn voyage_own(voyage: &Voyage) -> VoyageOwn {

@@ -3,6 +3,7 @@
 use super::event::VoyageOutput;
 use super::officer::{Action, InView, Officer};
 use super::wiring::Voyage;
+use crate::alerts::Alert;
 use crate::command::{FaultKind, Order, Origin};
 use crate::station::{Input, Output, Role};
 use crate::time::Stamp;
@@ -44,9 +45,12 @@ impl Voyage {
             Order::Chart(_) => self
                 .ask(now, Role::ChartSystem, by, order, out)
                 .unwrap_or_else(|| Err("the chart system is a foreign one".into())),
-            Order::Acknowledge(number) if *number >= 200 => self
-                .ask(now, Role::ChartSystem, by, order, out)
-                .unwrap_or_else(|| Err(format!("alert {number} waits for no acknowledgement"))),
+            Order::Acknowledge(number)
+                if of_the_chart_system(*number) || self.autopilot.is_none() =>
+            {
+                self.ask(now, Role::ChartSystem, by, order, out)
+                    .unwrap_or_else(|| Err(format!("alert {number} waits for no acknowledgement")))
+            }
             _ => {
                 if matches!(order, Order::Silence(_)) {
                     self.ask(now, Role::ChartSystem, by, order, out);
@@ -160,6 +164,11 @@ impl Voyage {
             None => {}
         }
     }
+}
+
+/// Whether an alert of that number is one of the chart system's.
+fn of_the_chart_system(number: u16) -> bool {
+    Alert::of_number(number).is_some_and(|alert| alert.station() == Role::ChartSystem)
 }
 
 /// Whether a human command takes the watch from the scripted officer.

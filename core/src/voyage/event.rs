@@ -3,6 +3,7 @@
 use super::line::Line;
 use crate::command::{Answer, Order, Origin};
 use crate::settings::Value;
+use crate::station::{Contact, Role};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -61,6 +62,15 @@ pub enum VoyageOutput {
         key: String,
         /// Value.
         value: Value,
+    },
+    /// A contact of a station closes or opens.
+    Contact {
+        /// Whose.
+        station: Role,
+        /// Which.
+        contact: Contact,
+        /// It closes.
+        closed: bool,
     },
     /// The route document has changed.
     Route,

@@ -132,14 +132,17 @@ impl Voyage {
 }
 
 /// What can be cabled inside, by the table of who says what: of each profile the first of the stations that speak there, and
-/// those that believe something of what it says.
+/// those that believe something of what it says and do not say the same there, as two who face the same third do.
 fn inside() -> impl Iterator<Item = (Profile, Role, Vec<Role>)> {
     Profile::ALL.into_iter().filter_map(|profile| {
         let speaks = |role: &Role| !talk::told(*role, profile).is_empty();
         let source = Role::ALL.into_iter().find(speaks)?;
         let listens = |role: &Role| {
             let mut said = talk::told(source, profile).iter();
-            *role != source && said.any(|row| believes(*role, profile, row.formatter()))
+            let own = talk::told(*role, profile);
+            let faces = |saying| !own.iter().any(|row| row.saying == saying);
+            *role != source
+                && said.any(|row| faces(row.saying) && believes(*role, profile, row.formatter()))
         };
         let listeners = Role::ALL.into_iter().rev().filter(listens);
         Some((profile, source, listeners.collect()))

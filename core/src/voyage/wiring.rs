@@ -159,6 +159,11 @@ impl Voyage {
                     out.push(VoyageOutput::Persist { key, value });
                     out.push(VoyageOutput::Settings);
                 }
+                Output::Contact { contact, closed } => out.push(VoyageOutput::Contact {
+                    station: from,
+                    contact,
+                    closed,
+                }),
                 Output::Answer(_) => {} // taken where the order was given
             }
         }

@@ -9,6 +9,7 @@ mod constants;
 mod cross_track;
 mod entry;
 mod magnetic;
+mod management;
 mod monitor;
 mod monte_carlo;
 mod offsets;

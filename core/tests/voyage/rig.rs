@@ -1,35 +1,24 @@
 //! The voyage as it is shipped, with a tap on its cables: every line to the autopilot passes a filter that a test sets.
 
+mod wire;
+
 use std::sync::{Arc, Mutex};
 use wheelover_core::alerts::Alert;
 use wheelover_core::autopilot::{Autopilot, Mode};
 use wheelover_core::chart_system::ChartSystem;
 use wheelover_core::geo::{Position, rhumb};
-use wheelover_core::nmea::{self, Htd, with_checksum};
+use wheelover_core::nmea::{Htd, with_checksum};
 use wheelover_core::route::{Route, RouteLimits, Waypoint};
-use wheelover_core::station::{Profile, Role};
+use wheelover_core::station::{PortSetup, Profile, Role};
 use wheelover_core::time::Stamp;
 use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
 use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order, Origin};
-use wheelover_core::voyage::{Event, Parcel, Voyage, VoyageConfig, VoyageOutput};
+use wheelover_core::voyage::{Event, Voyage, VoyageConfig, VoyageOutput};
 use wheelover_core::world::{World, WorldConfig};
+use wire::Wire;
 
 /// The gear's slew in these tests, degrees a second (the Mariner's).
 pub(crate) const SLEW: f64 = 5.0;
-
-/// What becomes of a line to the autopilot: its text without CR LF, or nothing.
-pub(crate) type Filter = Box<dyn FnMut(Stamp, Profile, &str) -> Option<String> + Send>;
-
-/// What the tap on the cables holds.
-struct Wire {
-    filter: Filter,
-    /// Last line of each formatter that the chart system said, as it was sent.
-    said: Vec<(String, String)>,
-    /// HTD lines of the autopilot with their time.
-    htd: Vec<(Stamp, Htd)>,
-    /// What the autopilot said to the chart system: the last line of each formatter, and how many.
-    told: Vec<(String, String, usize)>,
-}
 
 /// A voyage with a tap on its cables, and what is watched all the time.
 pub(crate) struct Rig {
@@ -43,6 +32,8 @@ pub(crate) struct Rig {
     pub(crate) orders: Vec<(Stamp, Option<f64>)>,
     /// Headings as the autopilot read them, one a step.
     pub(crate) read: Vec<f64>,
+    /// Lines that left by ports to the outside.
+    pub(crate) sent: Vec<(Stamp, String)>,
 }
 
 /// Legs of `(course, miles)`; a radius at each waypoint between them.
@@ -68,17 +59,23 @@ pub(crate) fn route(legs: &[(f64, f64)], radius: f64) -> Route {
 impl Rig {
     /// The ship on the first leg of `route`, half a cable from its beginning, 1 kn of current across.
     pub(crate) fn new(route: Route, seed: u64) -> Self {
-        Self::sailing(route.clone(), Some(route), seed)
+        Self::sailing(route.clone(), Some(route), seed, Vec::new())
     }
 
     /// The same where the chart system has no route.
     pub(crate) fn without_route(route: Route, seed: u64) -> Self {
-        Self::sailing(route, None, seed)
+        Self::sailing(route, None, seed, Vec::new())
     }
 
-    fn sailing(route: Route, loaded: Option<Route>, seed: u64) -> Self {
+    fn sailing(
+        route: Route,
+        loaded: Option<Route>,
+        seed: u64,
+        ports: Vec<(Role, PortSetup)>,
+    ) -> Self {
         let leg = route.leg(0);
         let mut config = VoyageConfig::embedded(seed);
+        config.ports = ports;
         config.settings.rudder_slew = SLEW;
         config.chart.route = loaded;
         config.world = WorldConfig {
@@ -92,14 +89,17 @@ impl Rig {
         Self::of(Voyage::configured(config), route)
     }
 
+    /// Under track control, with real ports besides: whose, and what.
+    pub(crate) fn tracking_with(ports: Vec<(Role, PortSetup)>) -> Self {
+        let route = route(&[(245.0, 2.5), (305.0, 2.5)], 0.5);
+        let mut rig = Self::sailing(route.clone(), Some(route), 3, ports);
+        rig.engage();
+        rig
+    }
+
     /// A voyage of its own; the scripted officer is off.
     pub(crate) fn of(mut voyage: Voyage, route: Route) -> Self {
-        let wire = Arc::new(Mutex::new(Wire {
-            filter: Box::new(|_, _, line| Some(line.to_string())),
-            said: Vec::new(),
-            htd: Vec::new(),
-            told: Vec::new(),
-        }));
+        let wire = Arc::new(Mutex::new(Wire::default()));
         let tapped = wire.clone();
         voyage.tap(Box::new(move |parcel| tapped.lock().unwrap().pass(parcel)));
         let mut rig = Self {
@@ -110,6 +110,7 @@ impl Rig {
             htd: Vec::new(),
             orders: Vec::new(),
             read: Vec::new(),
+            sent: Vec::new(),
         };
         if rig.voyage.is_embedded() {
             rig.command(Order::Officer(false)).unwrap();
@@ -188,12 +189,26 @@ impl Rig {
     fn event(&mut self, event: Event) -> Vec<VoyageOutput> {
         let mut out = Vec::new();
         self.voyage.handle(self.now, event, &mut out);
+        for output in &out {
+            if let VoyageOutput::Send { bytes, .. } = output {
+                let text = String::from_utf8_lossy(bytes);
+                let lines = text.lines().map(|line| (self.now, line.to_string()));
+                self.sent.extend(lines);
+            }
+        }
         out
     }
 
     /// Says a line to the autopilot now; the checksum is added.
     pub(crate) fn say(&mut self, profile: Profile, body: &str) {
         self.say_raw(profile, &with_checksum(body));
+    }
+
+    /// Says a line to the chart system now; the checksum is added.
+    pub(crate) fn tell_chart(&mut self, profile: Profile, body: &str) {
+        let bytes = format!("{}\r\n", with_checksum(body)).into_bytes();
+        let hearer = (Role::ChartSystem, profile);
+        self.voyage.say(self.now, hearer, &bytes, &mut Vec::new());
     }
 
     /// Says a line to the autopilot as it stands.
@@ -322,39 +337,6 @@ impl Rig {
                 assert!(order.abs() <= 35.0 + 1e-9, "order {order}");
             }
         }
-    }
-}
-
-impl Wire {
-    fn pass(&mut self, parcel: Parcel<'_>) -> Option<Vec<u8>> {
-        let text = String::from_utf8_lossy(parcel.bytes);
-        if parcel.to != Role::Autopilot {
-            for line in text.lines().filter(|_| parcel.profile == Profile::Ecdis) {
-                let sentence = nmea::decode(line.as_bytes());
-                let found = self
-                    .told
-                    .iter()
-                    .position(|(name, ..)| name == sentence.formatter);
-                let count = found.map_or(0, |index| self.told.swap_remove(index).2);
-                self.told
-                    .push((sentence.formatter.into(), line.into(), count + 1));
-                let htd = Htd::from_sentence(&sentence);
-                self.htd.extend(htd.map(|htd| (parcel.at, htd)));
-            }
-            return Some(parcel.bytes.to_vec());
-        }
-        let mut heard = String::new();
-        for line in text.lines() {
-            if parcel.profile == Profile::Ecdis {
-                let formatter = nmea::decode(line.as_bytes()).formatter.to_string();
-                self.said.retain(|(name, _)| *name != formatter);
-                self.said.push((formatter, line.to_string()));
-            }
-            if let Some(line) = (self.filter)(parcel.at, parcel.profile, line) {
-                heard += &format!("{line}\r\n");
-            }
-        }
-        Some(heard.into_bytes())
     }
 }
 

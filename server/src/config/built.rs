@@ -20,7 +20,7 @@ const KEYS: [&str; 6] = [
 ];
 
 /// Profiles of ports.
-const PROFILES: [&str; 7] = ["bams", "hmi", "imu", "plotter", "stand", "targets", "wind"];
+const PROFILES: [&str; 6] = ["hmi", "imu", "plotter", "stand", "targets", "wind"];
 
 /// Keys of `[ship]` that only some stations use.
 const SHIP: [(&str, &[Role]); 15] = [

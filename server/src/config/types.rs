@@ -94,7 +94,7 @@ impl Config {
 
 /// Whether what is heard on a port can change what the ship does by itself.
 pub(crate) const fn commands(profile: Profile) -> bool {
-    matches!(profile, Profile::Ecdis | Profile::Hmi)
+    matches!(profile, Profile::Ecdis | Profile::Hmi | Profile::Bams)
 }
 
 pub(super) const fn policy_name(policy: ChecksumPolicy) -> &'static str {
