@@ -4,6 +4,8 @@
 
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
+use wheelover_core::nmea::with_checksum;
+use wheelover_core::station::{Direction, Profile};
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{Down, hello, snapshot};
 use wheelover_core::voyage::Voyage;
@@ -17,8 +19,16 @@ fn frames() -> Vec<String> {
     let mut voyage = Voyage::embedded(7);
     let mut out = Vec::new();
     voyage.handle(Stamp(90_000), wheelover_core::voyage::Event::Tick, &mut out);
+    // A fact that is one of several kinds, each with numbers of its own (AP-10).
+    let mut magnetic = hello(&voyage, "test");
+    magnetic.picture.ports[1].profile = Profile::Magn;
+    let line = with_checksum("HCHDG,98.3,1.0,E,12.6,W");
+    magnetic
+        .picture
+        .fold(Stamp(90_000), 1, Direction::In, line.as_bytes());
     let said = [
         Down::Hello(hello(&voyage, "test")),
+        Down::Hello(magnetic),
         Down::Snapshot(snapshot(&voyage)),
     ];
     let samples = include_str!("../../core/src/view/golden.txt")
@@ -40,7 +50,7 @@ fn check(text: &str) {
 fn every_frame_is_read_as_it_was_written() {
     let frames = frames();
     assert!(
-        frames.len() > 9 && frames[0].contains("gyro1"),
+        frames.len() > 10 && frames[0].contains("gyro1") && frames[1].contains("magnetic"),
         "{frames:?}"
     );
     for text in &frames {
