@@ -197,16 +197,19 @@ impl Autopilot {
                     self.steering.another_compass(change);
                     self.gear.join();
                 }
-                Sighted::Heading => self.decide(now, |modes, _, notices| {
-                    modes.heading_there(notices);
-                }),
+                Sighted::Heading => {
+                    if !self.modes.holds_the_rudder() {
+                        (self.alerts).take(now, Notice::Rectified(Alert::HeadingLost));
+                    }
+                }
                 Sighted::NoHeading { heard } => self.decide(now, |modes, outlook, notices| {
                     modes.heading_lost(outlook, heard, notices);
                 }),
                 Sighted::PlaneMoved(by) => self.modes.plane_moved(by),
-                Sighted::Uncorrected(plain) => self.decide(now, |modes, _, notices| {
-                    modes.uncorrected(plain, notices);
-                }),
+                Sighted::Uncorrected(plain) => {
+                    let plain = plain && self.modes.is_commanded();
+                    (self.alerts).take(now, Notice::when(plain, Alert::NoDifferential));
+                }
                 Sighted::PositionJumped => self.decide(now, |modes, outlook, notices| {
                     modes.position_jumped(outlook, notices);
                 }),
@@ -249,7 +252,7 @@ impl Autopilot {
         act: impl FnOnce(&mut Modes, &Outlook<'_>, &mut Notices) -> R,
     ) -> R {
         let (steered, ordered) = (self.modes.steers(), self.modes.gives_orders());
-        let mut notices = Notices::default();
+        let mut notices = Notices::new();
         let (modes, outlook) = self.modes_and_outlook(now);
         let decided = act(modes, &outlook, &mut notices);
         for notice in notices {
@@ -293,8 +296,7 @@ impl Autopilot {
         let has_gear =
             (self.post.ports().iter()).any(|port| port.profile == Profile::Gear && port.output);
         let order = self.modes.order(self.gear.order()).filter(|_| has_gear);
-        let response = self.post.seen(now).rudder();
-        let slew = self.settings.rudder_slew;
+        let (response, slew) = (self.post.seen(now).rudder(), self.settings.rudder_slew);
         match self.gear.watch(now, order, response, slew) {
             Follows::Yes => self.alerts.take(now, Notice::Rectified(Alert::Rudder)),
             Follows::NotYet => {}
@@ -302,10 +304,9 @@ impl Autopilot {
                 (self.alerts).take(now, Notice::Raised(Alert::Rudder, why.into()));
             }
         }
-        self.decide(now, |modes, outlook, notices| {
-            let off = modes.is_off_heading(outlook);
-            notices.tell(Alert::OffHeading, off.then(String::new));
-        });
+        let (modes, outlook) = self.modes_and_outlook(now);
+        let off = modes.is_off_heading(&outlook);
+        (self.alerts).take(now, Notice::when(off, Alert::OffHeading));
     }
 
     /// What is due on each port, by the table: once a second, or in a control step.

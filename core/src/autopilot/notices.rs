@@ -28,10 +28,15 @@ impl Notice {
 }
 
 /// Notices for the machine that keeps the alerts.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Notices(Vec<Notice>);
 
 impl Notices {
+    /// Nothing is said yet.
+    pub(super) fn new() -> Self {
+        Self(Vec::with_capacity(8)) // what a step says of a mode
+    }
+
     /// An alert is raised; an empty text is the table's.
     pub(super) fn raise(&mut self, alert: Alert, text: impl Into<String>) {
         self.0.push(Notice::Raised(alert, text.into()));

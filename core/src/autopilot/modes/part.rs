@@ -57,6 +57,11 @@ impl Modes {
         self.mode.row().needs(Need::Heading)
     }
 
+    /// Whether the chart system commands.
+    pub(in super::super) const fn is_commanded(&self) -> bool {
+        self.mode.is_autonav()
+    }
+
     /// Whether rudder orders are given.
     pub(in super::super) fn gives_orders(&self) -> bool {
         self.mode.row().gives_orders()

@@ -45,17 +45,9 @@ impl Modes {
         }
     }
 
-    /// There is a heading; a rudder that is held stays so until the operator ends it.
-    pub(in super::super) fn heading_there(&self, notices: &mut Notices) {
-        if !matches!(self.mode, Mode::RudderHold(_)) {
-            notices.rectify(Alert::HeadingLost);
-        }
-    }
-
-    /// AP-7: whether the position is without differential correction.
-    pub(in super::super) fn uncorrected(&self, plain: bool, notices: &mut Notices) {
-        let plain = plain && self.mode.is_autonav();
-        notices.tell(Alert::NoDifferential, plain.then(String::new));
+    /// Whether the rudder is held, until the operator ends it (FA7).
+    pub(in super::super) const fn holds_the_rudder(&self) -> bool {
+        matches!(self.mode, Mode::RudderHold(_))
     }
 
     /// FA9: the position in use jumped.
