@@ -29,10 +29,10 @@ async fn alerts_go_out_and_commands_come_in_on_a_serial_line() {
     let _ecdis = Line::new(&folder.join("ecdis"));
     let config = autopilot(&folder, &["bams", "ecdis"], true);
     let program = Program::start(&["--config", &config]);
-    let beat = until(&mut bams, "HBT", |fields| fields[0] == "$AGHBT");
-    assert_eq!(beat[1..], ["30.0", "A", "0"]);
     let list = until(&mut bams, "ALC", |fields| fields[0] == "$AGALC");
     assert_eq!(list[1..3], ["01", "01"]);
+    let beat = until(&mut bams, "HBT", |fields| fields[0] == "$AGHBT");
+    assert_eq!(beat[1..], ["30.0", "A", "0"]);
     // Two masters of one command: an alarm of category B that needs no ship.
     let htc = "HTC,V,,,S,N,,,,,,,,T,C";
     let mut ecdis = _ecdis;
