@@ -154,6 +154,7 @@ mod tests {
         (found, String::from_utf8(out).unwrap())
     }
 
+    // CLI-3
     #[test]
     fn a_breach_is_one_object_and_the_summary_the_last() {
         let text = format!(

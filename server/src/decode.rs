@@ -228,6 +228,7 @@ mod tests {
         (valid, String::from_utf8(out).expect("text"))
     }
 
+    // CLI-2
     #[test]
     fn json_lines_carry_number_time_and_direction_prefix() {
         let (valid, out) = check("\n12.250 < $PEMC,00*37\r\n$PEMC,09*3E$PEMC,10*36\n", true);

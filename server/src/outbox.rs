@@ -104,6 +104,7 @@ mod tests {
         assert_eq!(sent, expect);
     }
 
+    // FB11
     #[test]
     fn the_newest_of_each_kind_is_sent() {
         check(

@@ -1,6 +1,7 @@
 //! How the house is built, read from its files: layers, circles, lengths, citations.
 #![allow(clippy::unwrap_used)]
 
+mod coverage;
 mod files;
 mod layers;
 mod needs;

@@ -5,6 +5,7 @@ use wheelover_core::view::{Down, FaultKind, ModeName, ModeRequest, Order, PROTOC
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::Program;
 
+// CLI-1
 #[tokio::test]
 async fn hello_comes_first_and_the_documents_follow() {
     let program = Program::start(&[]);

@@ -3,10 +3,13 @@
 use super::modes::Modes;
 use super::notices::Notice;
 use crate::alerts::{Alert, Alerts, Reports};
+use crate::command::Refusal;
 use crate::nmea::Sentence;
 use crate::post::Post;
 use crate::station::{Output, PortIndex, PortSetup, Role};
 use crate::time::Stamp;
+use alloc::format;
+use alloc::string::String;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -45,9 +48,14 @@ impl Alerting {
         }
     }
 
-    /// Acknowledges by number. False where there is nothing to acknowledge.
-    pub(super) fn acknowledge(&mut self, now: Stamp, number: u16) -> bool {
-        self.machine.acknowledge(now, number)
+    /// Acknowledges by number, or says that there is nothing to acknowledge.
+    pub(super) fn acknowledge(&mut self, now: Stamp, number: u16) -> Result<String, Refusal> {
+        if self.machine.acknowledge(now, number) {
+            Ok(format!("alert {number} acknowledged"))
+        } else {
+            let text = format!("alert {number} waits for no acknowledgement");
+            Err(Refusal::because(text))
+        }
     }
 
     /// Silences everything that sounds, or lets it sound again; the answer to it.

@@ -349,12 +349,7 @@ impl Autopilot {
             Order::AdjustHeading(degrees) => self.decide(now, |modes, outlook, _| {
                 modes.request_change(outlook, *degrees)
             }),
-            Order::Acknowledge(number) if self.alerts.acknowledge(now, *number) => {
-                Ok(format!("alert {number} acknowledged"))
-            }
-            Order::Acknowledge(number) => Err(Refusal::because(format!(
-                "alert {number} waits for no acknowledgement"
-            ))),
+            Order::Acknowledge(number) => self.alerts.acknowledge(now, *number),
             Order::Silence(silent) => Ok(self.alerts.silence(now, *silent).into()),
             Order::Setting { key, value } => {
                 self.settings.set(key, value).map_err(Refusal::because)?;

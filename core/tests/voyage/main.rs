@@ -20,4 +20,5 @@ mod rig;
 mod sensors_lost;
 mod situations;
 mod spoilt;
+mod steps;
 mod wrong_port;

@@ -194,7 +194,7 @@ fn situation_6_end_of_route() {
     rig.check_orders();
 }
 
-// TCS-12
+// TCS-12, AP-3
 #[test]
 fn in_tn_the_heading_to_steer_is_the_track_during_turns() {
     let mut rig = Rig::tracking();

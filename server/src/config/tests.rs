@@ -121,6 +121,7 @@ fn ports_are_checked() {
     check(&file, 2, &["only read"]);
 }
 
+// FB12
 #[test]
 fn a_line_that_would_be_overloaded_is_refused_with_the_sum() {
     let gear = |rate: &str| {

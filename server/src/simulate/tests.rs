@@ -38,6 +38,7 @@ fn figures_have_the_names_of_the_peers_table() {
     );
 }
 
+// CLI-4
 #[test]
 fn a_scenario_writes_its_table_at_two_a_second() {
     let folder = fresh_folder("scenario");

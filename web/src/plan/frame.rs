@@ -180,6 +180,7 @@ mod tests {
         Frame::around(SHIP, (800.0, 600.0), 1.0, up, up)
     }
 
+    // DSP-4
     #[test]
     fn what_is_ahead_is_above_when_the_head_is_up() {
         let frame = frame(245.0);
