@@ -5,61 +5,75 @@ use crate::nmea::ModeIndicator;
 use crate::units::{Course, Heading, SignedAngle, Speed};
 use serde::{Deserialize, Serialize};
 
-/// What a compass says.
+/// What a compass says (N table A.12). One shape for all, which a page reads with little code.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Bearing {
-    /// A heading of true north.
-    True(Heading),
-    /// A reading of magnetic north (N table A.12).
-    Magnetic {
-        /// As it is read, not corrected.
-        reading: Heading,
-        /// Deviation that the compass says, degrees, east positive.
-        deviation: Option<f64>,
-        /// Variation that it says, degrees, east positive.
-        variation: Option<f64>,
-    },
+pub struct Bearing {
+    /// As it is read, not corrected.
+    reading: Heading,
+    /// It is of magnetic north.
+    magnetic: bool,
+    /// Deviation that a magnetic compass says, degrees, east positive.
+    deviation: Option<f64>,
+    /// Variation that it says, degrees, east positive.
+    variation: Option<f64>,
 }
 
 impl Bearing {
     /// A heading of true north, degrees.
     #[must_use]
     pub fn of_true(degrees: f64) -> Self {
-        Self::True(Heading::from_deg(degrees))
+        Self {
+            reading: Heading::from_deg(degrees),
+            magnetic: false,
+            deviation: None,
+            variation: None,
+        }
     }
 
     /// A reading of magnetic north with its deviation and variation, degrees, east positive.
     #[must_use]
     pub fn of_magnetic(degrees: f64, deviation: Option<f64>, variation: Option<f64>) -> Self {
-        Self::Magnetic {
+        Self {
             reading: Heading::from_deg(degrees),
+            magnetic: true,
             deviation,
             variation,
         }
     }
 
+    /// As it is read, not corrected.
+    #[must_use]
+    pub const fn reading(&self) -> Heading {
+        self.reading
+    }
+
+    /// Whether it is of magnetic north.
+    #[must_use]
+    pub const fn is_magnetic(&self) -> bool {
+        self.magnetic
+    }
+
+    /// Deviation that the compass says, degrees, east positive.
+    #[must_use]
+    pub const fn deviation(&self) -> Option<f64> {
+        self.deviation
+    }
+
     /// The true heading, by the ship's variation where the compass says none of its own; absent where none is known (AP-10).
     #[must_use]
     pub fn true_heading(&self, ships: Option<f64>) -> Option<Heading> {
-        match *self {
-            Self::True(heading) => Some(heading),
-            Self::Magnetic { variation, .. } => {
-                let by = SignedAngle::from_deg(variation.or(ships)?);
-                Some(self.magnetic_heading()? + by)
-            }
+        if !self.magnetic {
+            return Some(self.reading);
         }
+        let by = SignedAngle::from_deg(self.variation.or(ships)?);
+        Some(self.magnetic_heading()? + by)
     }
 
     /// The magnetic heading, corrected for the deviation; absent of a compass that knows true north only.
     #[must_use]
     pub fn magnetic_heading(&self) -> Option<Heading> {
-        match *self {
-            Self::True(_) => None,
-            Self::Magnetic {
-                reading, deviation, ..
-            } => Some(reading + SignedAngle::from_deg(deviation.unwrap_or(0.0))),
-        }
+        let by = SignedAngle::from_deg(self.deviation.unwrap_or(0.0));
+        self.magnetic.then(|| self.reading + by)
     }
 }
 

@@ -32,11 +32,11 @@ fn HeadingPanel() -> impl IntoView {
         ("COG", "cog", shown(|r| &r.cog, format::direction)),
     ];
     let deck = Deck::here();
-    let north = Memo::new(move |_| {
-        let own = |of: &Option<view::Snapshot>| Some(of.as_ref()?.own.as_ref()?.magnetic);
-        let magnetic = deck.own.with(own) == Some(true);
-        if magnetic { "HDG °M " } else { "HDG °T " }
-    });
+    let own = |of: &Option<view::Snapshot>| of.as_ref()?.own.as_ref().map(|own| own.magnetic);
+    let north = move || match deck.own.with(own) {
+        Some(true) => "HDG °M ",
+        _ => "HDG °T ",
+    };
     view! {
         <section class="hdg">
             <div>

@@ -174,17 +174,11 @@ impl<'de> de::Deserializer<'de> for Node {
         variants: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Unread> {
-        let name = self.0.as_string();
-        let content = |variant: &str| match &name {
-            Some(name) => (variant == name).then_some(JsValue::UNDEFINED),
-            None => field(&self.0, variant).filter(|content| !content.is_undefined()),
-        };
-        let mut found = (0..).zip(variants);
-        let variant = found.find_map(|(place, variant)| {
-            let content = content(variant)?;
-            Some(Variant { place, content })
-        });
-        visitor.visit_enum(variant.ok_or(Unread)?)
+        let name = self.0.as_string().ok_or(Unread)?;
+        let place = variants.iter().position(|variant| *variant == name);
+        visitor.visit_enum(IntoDeserializer::<Unread>::into_deserializer(
+            place.ok_or(Unread)? as u32,
+        ))
     }
 
     fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Unread> {
@@ -194,50 +188,6 @@ impl<'de> de::Deserializer<'de> for Node {
 
     serde::forward_to_deserialize_any! {
         f32 char bytes byte_buf unit unit_struct tuple_struct map identifier ignored_any
-    }
-}
-
-/// A variant by its number, and what it carries: nothing where it is a name alone.
-struct Variant {
-    place: u32,
-    content: JsValue,
-}
-
-impl<'de> de::EnumAccess<'de> for Variant {
-    type Error = Unread;
-    type Variant = Node;
-
-    fn variant_seed<S: DeserializeSeed<'de>>(self, seed: S) -> Result<(S::Value, Node), Unread> {
-        let place = IntoDeserializer::<Unread>::into_deserializer(self.place);
-        Ok((seed.deserialize(place)?, Node(self.content)))
-    }
-}
-
-impl<'de> de::VariantAccess<'de> for Node {
-    type Error = Unread;
-
-    fn unit_variant(self) -> Result<(), Unread> {
-        if self.0.is_undefined() || self.0.is_null() {
-            Ok(())
-        } else {
-            Err(Unread)
-        }
-    }
-
-    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Unread> {
-        seed.deserialize(self)
-    }
-
-    fn tuple_variant<V: Visitor<'de>>(self, _: usize, visitor: V) -> Result<V::Value, Unread> {
-        visitor.visit_seq(self.list()?)
-    }
-
-    fn struct_variant<V: Visitor<'de>>(
-        self,
-        fields: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Unread> {
-        de::Deserializer::deserialize_struct(self, "", fields, visitor)
     }
 }
 

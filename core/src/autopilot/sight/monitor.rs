@@ -62,7 +62,7 @@ impl HeadingMonitor {
             self.sensors.push(Sensor {
                 port,
                 name: picture.ports[port].profile.name().to_uppercase(),
-                magnetic: matches!(heard.value, Bearing::Magnetic { .. }),
+                magnetic: heard.value.is_magnetic(),
                 said: now_said,
                 heading: now_said.and_then(|said| said.true_heading(variation)),
             });
@@ -127,14 +127,8 @@ impl HeadingMonitor {
     /// What is measured (table A.6); the fields of a sensor that is not there are null.
     pub(crate) fn hmr(&self) -> Hmr {
         let sensor = |index: usize| self.sensors.get(index);
-        let reading = |index: usize| match sensor(index)?.said? {
-            Bearing::True(heading) => Some(heading.deg()),
-            Bearing::Magnetic { reading, .. } => Some(reading.deg()),
-        };
-        let deviation = |index: usize| match sensor(index)?.said? {
-            Bearing::True(_) => None,
-            Bearing::Magnetic { deviation, .. } => deviation,
-        };
+        let reading = |index: usize| Some(sensor(index)?.said?.reading().deg());
+        let deviation = |index: usize| sensor(index)?.said?.deviation();
         let status = |index: usize| {
             sensor(index).map(|sensor| match sensor.said {
                 Some(_) => DataStatus::Valid,
