@@ -58,7 +58,7 @@ impl Modes {
             }
             ModeRequest::Autonav => self.pending_mode(outlook),
             ModeRequest::Track => {
-                return Err(Refusal::because("TRACK needs valid APB: none is heard"));
+                return Err(Refusal::because("TRACK is not built yet"));
             }
         };
         self.can_enter(outlook, mode)
