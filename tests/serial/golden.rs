@@ -77,13 +77,15 @@ fn explained(lines: impl Iterator<Item = Vec<u8>>) -> String {
 #[tokio::test]
 async fn a_golden_log_over_a_serial_line_is_what_it_is_directly() {
     let mut lines = seeds();
-    lines.extend(voyage(100)); // more at once is a flood, which a port holds back
+    lines.extend(voyage(60));
     let bytes = stream(&lines);
+    // More at once is a flood, which a port holds back.
+    assert!(bytes.len() < 250_000, "{} bytes", bytes.len());
 
     let mut framer = Framer::new();
     let mut frames = Vec::new();
     framer.push(&bytes, &mut |frame| frames.push(frame.text.to_vec()));
-    assert!(frames.len() > 5_000, "{} frames", frames.len());
+    assert!(frames.len() > 3_000, "{} frames", frames.len());
     let direct = explained(frames.iter().cloned());
 
     let folder = folder("golden");
