@@ -41,4 +41,19 @@ impl Random {
     pub(crate) fn pick<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.below(list.len())]
     }
+
+    /// The bytes with a mistake in two hundred: another byte, one less, or one more.
+    pub(crate) fn spoil(&mut self, whole: &[u8], spoilt: &mut impl Extend<u8>) {
+        let mut from = 0;
+        while from < whole.len() {
+            let to = (from + self.below(400)).min(whole.len());
+            spoilt.extend(whole[from..to].iter().copied());
+            match self.below(3) {
+                0 => spoilt.extend([self.next() as u8]),
+                1 => spoilt.extend([whole[to.min(whole.len() - 1)], self.next() as u8]),
+                _ => {}
+            }
+            from = to + 1;
+        }
+    }
 }

@@ -43,23 +43,6 @@ fn samples() -> Vec<String> {
     lines
 }
 
-/// One byte in two hundred: another one, one less, or one more.
-fn mutated(whole: &[u8], random: &mut Random) -> Vec<u8> {
-    let mut stream = Vec::with_capacity(whole.len() * 2);
-    let mut from = 0;
-    while from < whole.len() {
-        let to = (from + random.below(400)).min(whole.len());
-        stream.extend_from_slice(&whole[from..to]);
-        match random.below(3) {
-            0 => stream.push(random.next() as u8),
-            1 => stream.extend([whole[to.min(whole.len() - 1)], random.next() as u8]),
-            _ => {}
-        }
-        from = to + 1;
-    }
-    stream
-}
-
 /// Millions of bytes a second through framer, decoder and every field.
 fn rate(stream: &[u8]) -> f64 {
     let (mut framer, mut faults) = (Framer::new(), Vec::new());
@@ -91,7 +74,8 @@ fn main() {
     let lines = samples();
     let mut random = Random::seeded("hostile");
     let whole: Vec<u8> = lines.join("\r\n").into_bytes();
-    let broken = mutated(&whole, &mut random);
+    let mut broken = Vec::new();
+    random.spoil(&whole, &mut broken);
     let (clean, rate) = (rate(&whole), rate(&broken));
     println!(
         "FB1: broken bytes {rate:.0} MB/s, {:.2} of whole lines ({clean:.0} MB/s)",

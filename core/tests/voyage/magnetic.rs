@@ -1,13 +1,10 @@
 //! A magnetic compass steers: by its variation or the ship's she steers true, without one by magnetic north (AP-9, AP-10, AP-12).
 
-use crate::rig::{Rig, route};
+use crate::rig::Rig;
 use std::sync::{Arc, Mutex};
 use wheelover_core::nmea::Reference;
-use wheelover_core::settings::Value;
-use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile, Role};
-use wheelover_core::units::{Course, Speed};
+use wheelover_core::station::Profile;
 use wheelover_core::view::{ModeName, ModeRequest, Order};
-use wheelover_core::voyage::{Voyage, VoyageConfig};
 
 /// East, degrees: what the compass deviates by, and what magnetic north is off true north.
 const DEVIATION: f64 = 2.0;
@@ -28,29 +25,9 @@ struct Heard {
 
 /// A ship with a magnetic compass on a port of its own.
 fn ship(heard: Heard) -> (Rig, Arc<Mutex<Heard>>) {
-    let plan = route(&[(90.0, 2.5), (150.0, 2.5)], 0.5);
-    let leg = plan.leg(0);
-    let mut config = VoyageConfig::embedded(5);
-    config.settings.rudder_slew = crate::rig::SLEW;
-    config.chart.route = Some(plan.clone());
-    config.world.start = leg.from();
-    config.world.heading = leg.course().as_heading();
-    (config.world.current_set, config.world.current_drift) =
-        (Course::from_deg(0.0), Speed::from_knots(0.0));
-    config.ports.push((
-        Role::Autopilot,
-        PortSetup {
-            name: "magn".into(),
-            profile: Profile::Magn,
-            checksum: ChecksumPolicy::Required,
-            baud: 4800,
-            output: false,
-        },
-    ));
-    let mut rig = Rig::of(Voyage::configured(config), plan);
+    let mut rig = Rig::with_compass(Some(Profile::Magn));
     if heard.set {
-        let (key, value) = ("variation".into(), Value::Number(VARIATION));
-        rig.command(Order::Setting { key, value }).unwrap();
+        rig.set("variation", VARIATION).unwrap();
     }
     let shared = Arc::new(Mutex::new(heard));
     let gyro = shared.clone();

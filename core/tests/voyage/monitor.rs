@@ -1,33 +1,13 @@
 //! The heading monitor: HMS, HMR and HDG DIFF of two compasses (AP-10, N tables A.5 and A.6).
 
-use crate::rig::{Rig, route};
+use crate::rig::Rig;
 use wheelover_core::alerts::Alert;
-use wheelover_core::settings::Value;
-use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile, Role};
-use wheelover_core::view::Order;
-use wheelover_core::voyage::{Voyage, VoyageConfig};
+use wheelover_core::station::Profile;
 
-/// A ship with a second compass of that profile, whose port only the test speaks on.
+/// A ship with a second compass, where 5 degrees between two are the limit.
 fn ship(second: Option<Profile>) -> Rig {
-    let plan = route(&[(90.0, 2.5), (150.0, 2.5)], 0.5);
-    let leg = plan.leg(0);
-    let mut config = VoyageConfig::embedded(5);
-    config.chart.route = Some(plan.clone());
-    config.world.start = leg.from();
-    config.world.heading = leg.course().as_heading();
-    config.ports.extend(second.map(|profile| {
-        let setup = PortSetup {
-            name: "second".into(),
-            profile,
-            checksum: ChecksumPolicy::Required,
-            baud: 4800,
-            output: false,
-        };
-        (Role::Autopilot, setup)
-    }));
-    let mut rig = Rig::of(Voyage::configured(config), plan);
-    let (key, value) = ("heading_monitor_limit".into(), Value::Number(5.0));
-    rig.command(Order::Setting { key, value }).unwrap();
+    let mut rig = Rig::with_compass(second);
+    rig.set("heading_monitor_limit", 5.0).unwrap();
     rig
 }
 
@@ -146,8 +126,7 @@ fn what_is_set_is_said_when_it_changes_and_each_half_minute() {
     assert!(!sail(&mut rig, 5).is_empty());
     let calm = sail(&mut rig, 60);
     assert_eq!(calm.len(), 2, "{calm:?}");
-    let (key, value) = ("heading_monitor_limit".into(), Value::Number(7.5));
-    rig.command(Order::Setting { key, value }).unwrap();
+    rig.set("heading_monitor_limit", 7.5).unwrap();
     let changed = sail(&mut rig, 2);
     assert_eq!(changed.len(), 1);
     assert!(changed[0].starts_with("$AGHMS,GYRO1,,7.5*"), "{changed:?}");

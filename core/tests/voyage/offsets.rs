@@ -4,9 +4,8 @@ use crate::rig::{Rig, edited, off_path, route};
 use wheelover_core::alerts::Alert;
 use wheelover_core::geo::{Plane, Point, Position};
 use wheelover_core::nmea::{self, Gll, Hdt, Pney1, Xte};
-use wheelover_core::settings::Value;
 use wheelover_core::station::Profile;
-use wheelover_core::view::{ModeName, Order};
+use wheelover_core::view::ModeName;
 
 /// Moves what the own receiver says by `ahead` and `right` metres, of north or of the bow.
 fn displace(rig: &mut Rig, (ahead, right): (f64, f64), of_the_bow: bool) {
@@ -150,8 +149,7 @@ fn an_antenna_away_from_the_conning_position_does_not_carry_her_off_the_arc() {
         ("antenna_forward_m", -120.0),
         ("antenna_starboard_m", -20.0),
     ] {
-        let (key, value) = (key.into(), Value::Number(value));
-        rig.command(Order::Setting { key, value }).unwrap();
+        rig.set(key, value).unwrap();
     }
     rig.engage();
     rig.run(30.0);

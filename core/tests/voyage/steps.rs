@@ -1,20 +1,14 @@
 //! Control steps at other rates, and what AUTO's set values do in AutoNAV (AP-8, AP-15, FA6).
 
 use crate::rig::{Rig, SLEW, route};
-use wheelover_core::settings::Value;
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{ModeName, ModeRequest, Order};
-
-fn set(rig: &mut Rig, key: &str, value: f64) -> Result<String, String> {
-    let (key, value) = (key.into(), Value::Number(value));
-    rig.command(Order::Setting { key, value })
-}
 
 /// Rudder orders of leg, arc and leg, 500 s, with these settings changed under track control.
 fn sail(changed: &[(&str, f64)]) -> Vec<(Stamp, Option<f64>)> {
     let mut rig = Rig::tracking_on(route(&[(245.0, 1.2), (305.0, 2.5)], 0.5));
     for (key, value) in changed {
-        set(&mut rig, key, *value).unwrap();
+        rig.set(key, *value).unwrap();
     }
     let mut turned = false;
     for _ in 0..5_000 {
@@ -41,7 +35,7 @@ fn set_values_of_auto_have_no_effect_in_autonav() {
     // In AUTO the limit acts.
     let mut rig = Rig::tracking();
     rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
-    set(&mut rig, "rudder_limit", 4.0).unwrap();
+    rig.set("rudder_limit", 4.0).unwrap();
     let from = rig.orders.len() + 30;
     rig.command(Order::AdjustHeading(60.0)).unwrap();
     rig.run(30.0);
@@ -55,7 +49,7 @@ fn she_is_steered_alike_at_every_rate_of_control_steps() {
     for step_hz in [5.0, 10.0, 20.0] {
         let mut rig = Rig::tracking();
         rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
-        set(&mut rig, "step_hz", step_hz).unwrap();
+        rig.set("step_hz", step_hz).unwrap();
         rig.run(10.0);
         let from = rig.heading().deg();
         rig.command(Order::SetHeading((from + 40.0) % 360.0))

@@ -59,7 +59,7 @@ impl Headings {
             .iter()
             .filter_map(|heard| Some((heard, seen.fresh(Some(heard), Quantity::Heading)?)))
             .collect();
-        let variation = picture.variation(now).or(settings.variation);
+        let variation = variation(picture, now, settings);
         let all = said.iter().map(|(_, said)| said);
         let north = self.north.look(all, variation, free);
         if north != self.north {
@@ -152,9 +152,14 @@ impl Headings {
         now: Stamp,
         settings: &Settings,
     ) -> Option<Heading> {
-        let variation = picture.variation(now).or(settings.variation);
+        let variation = variation(picture, now, settings);
         self.north.of(&picture.heading(now)?.value, variation)
     }
+}
+
+/// The variation that is heard, else the one that is set; degrees, east positive (AP-9).
+fn variation(picture: &Picture, now: Stamp, settings: &Settings) -> Option<f64> {
+    picture.variation(now).or(settings.variation)
 }
 
 /// FA16: after a stall the order is frozen, and a heading is lost only when none comes again.

@@ -4,7 +4,7 @@ use crate::limits::Quantity;
 use crate::nmea::{DataStatus, Hmr, Hms, LimitStatus, Reference};
 use crate::picture::{Bearing, Source};
 use crate::post::Seen;
-use crate::station::PortIndex;
+use crate::station::{PortIndex, Profile};
 use crate::time::Stamp;
 use crate::units::Heading;
 use alloc::string::String;
@@ -18,13 +18,17 @@ const BACK_MS: u64 = 3_000;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Sensor {
     port: PortIndex,
-    /// As tables A.5 and A.6 call it: GYRO1, GYRO2, THD, MAGN.
-    name: String,
+    profile: Profile,
     magnetic: bool,
     /// What it says, while it is valid.
     said: Option<Bearing>,
-    /// The true heading of that.
-    heading: Option<Heading>,
+}
+
+impl Sensor {
+    /// As tables A.5 and A.6 call it: GYRO1, GYRO2, THD, MAGN.
+    fn name(&self) -> String {
+        self.profile.name().to_uppercase()
+    }
 }
 
 /// Compares two compasses.
@@ -58,24 +62,19 @@ impl HeadingMonitor {
             if self.sensors.len() == 2 || self.sensors.iter().any(|known| known.port == port) {
                 continue;
             }
-            let now_said = seen.fresh(Some(heard), Quantity::Heading);
             self.sensors.push(Sensor {
                 port,
-                name: picture.ports[port].profile.name().to_uppercase(),
+                profile: picture.ports[port].profile,
                 magnetic: heard.value.is_magnetic(),
-                said: now_said,
-                heading: now_said.and_then(|said| said.true_heading(variation)),
+                said: seen.fresh(Some(heard), Quantity::Heading),
             });
         }
         (self.variation, self.limit) = (variation, limit);
-        if self
-            .difference()
-            .is_some_and(|apart| libm::fabs(apart) > limit)
-        {
+        let apart = self.difference().map(libm::fabs);
+        if apart.is_some_and(|apart| apart > limit) {
             self.beyond_until = Some(now + BACK_MS);
         }
-        self.beyond =
-            self.difference().is_some() && self.beyond_until.is_some_and(|until| now < until);
+        self.beyond = apart.is_some() && self.beyond_until.is_some_and(|until| now < until);
     }
 
     /// Second less first, degrees; absent without two valid headings of one north.
@@ -83,9 +82,11 @@ impl HeadingMonitor {
         let [first, second] = self.sensors.as_slice() else {
             return None;
         };
-        let of = |of: fn(&Sensor) -> Option<Heading>| Some((of(second)? - of(first)?).deg());
-        let magnetic = |sensor: &Sensor| sensor.said.and_then(|said| said.magnetic_heading());
-        of(|sensor| sensor.heading).or_else(|| of(magnetic))
+        let (first, second) = (first.said?, second.said?);
+        let of =
+            |of: &dyn Fn(&Bearing) -> Option<Heading>| Some((of(&second)? - of(&first)?).deg());
+        let of_true = of(&|said| said.true_heading(self.variation));
+        of_true.or_else(|| of(&Bearing::magnetic_heading))
     }
 
     /// HDG DIFF: the two compasses and how far they are apart, where that is beyond the limit.
@@ -96,8 +97,8 @@ impl HeadingMonitor {
         let apart = self.difference().filter(|_| self.beyond)?;
         Some(alloc::format!(
             "{} and {} are {:.1} deg apart, the limit is {:.1}: find out which is right",
-            first.name,
-            second.name,
+            first.name(),
+            second.name(),
             libm::fabs(apart),
             self.limit
         ))
@@ -105,7 +106,7 @@ impl HeadingMonitor {
 
     /// What is set (table A.5).
     pub(crate) fn hms(&self) -> Hms {
-        let name = |index: usize| self.sensors.get(index).map(|sensor| sensor.name.clone());
+        let name = |index: usize| self.sensors.get(index).map(Sensor::name);
         Hms {
             sensor_1: name(0),
             sensor_2: name(1),

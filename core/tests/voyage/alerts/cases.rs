@@ -3,7 +3,6 @@
 use crate::rig::{Rig, edited};
 use wheelover_core::alerts::Alert;
 use wheelover_core::nmea;
-use wheelover_core::settings::Value;
 use wheelover_core::station::Profile;
 use wheelover_core::view::{FaultKind, ModeRequest, Order};
 
@@ -51,8 +50,7 @@ pub(super) fn fault(rig: &mut Rig, cable: &str, kind: FaultKind, on: bool) {
 }
 
 pub(super) fn set(rig: &mut Rig, key: &str, value: f64) {
-    let (key, value) = (key.into(), Value::Number(value));
-    rig.command(Order::Setting { key, value }).unwrap();
+    rig.set(key, value).unwrap();
 }
 
 /// Edits every sentence of that formatter from that port.
