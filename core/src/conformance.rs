@@ -10,9 +10,11 @@ mod autopilot;
 mod cadence;
 mod chart;
 mod fields;
+mod live;
 mod report;
 mod timed;
 
+pub use live::{Found, Live};
 pub use report::{Breach, Span};
 pub use timed::{Timed, timed};
 
@@ -115,6 +117,12 @@ impl Checker {
     #[must_use]
     pub fn spans(&self) -> &[Span] {
         &self.spans
+    }
+
+    /// Forgets all but the last situations, beside a dialogue that has no end.
+    fn forget(&mut self, kept: usize) {
+        let gone = self.spans.len().saturating_sub(kept);
+        self.spans.drain(..gone);
     }
 
     /// Number of lines taken.

@@ -123,6 +123,7 @@ fn each_station_says_what_the_table_says_as_often_and_no_longer() {
                     When::Step => SECONDS * 10,
                     When::Change => count.max(1),
                     When::Asked => count,
+                    When::Operated => 0,
                 };
                 assert!(
                     (expect..=expect + 1).contains(&count),

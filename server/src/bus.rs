@@ -24,6 +24,8 @@ pub(crate) enum Asked {
     Order {
         /// The client's number for it.
         id: u64,
+        /// The snapshot that it was pressed beside (AP-26).
+        frame: Option<u64>,
         /// What.
         action: Order,
         /// Where the answer goes.

@@ -18,7 +18,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, oneshot};
 use wheelover_core::time::Stamp;
-use wheelover_core::view::{self, Answer, Down, Line, Order, Origin, Outline};
+use wheelover_core::view::{self, Answer, Down, Line, Order, Origin, Outline, Presses};
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 /// Inputs that are taken before the next step is looked at.
@@ -92,6 +92,7 @@ struct Thread {
     simulated: bool,
     next_publish: u64,
     published: u64,
+    presses: Presses,
     orders: u64,
     answers: BTreeMap<u64, Waiting>,
     out: Vec<VoyageOutput>,
@@ -110,6 +111,7 @@ impl Thread {
             parts,
             next_publish: 0,
             published: 0,
+            presses: Presses::default(),
             orders: 0,
             answers: BTreeMap::new(),
             out: Vec::new(),
@@ -213,11 +215,12 @@ impl Thread {
         match asked {
             Asked::Order {
                 id,
+                frame,
                 action,
                 answer,
                 place,
             } => {
-                if let Err(text) = self.may_be(&action) {
+                if let Err(text) = self.may_be(frame, &action) {
                     let ok = false;
                     let _ = answer.send(Answer { id, ok, text });
                     return;
@@ -249,11 +252,15 @@ impl Thread {
         }
     }
 
-    /// A changed setting has to agree with ports and other settings, as at the start.
-    fn may_be(&self, action: &Order) -> Result<(), String> {
-        let (Order::Setting { key, value }, Some(autopilot)) =
-            (action, self.parts.voyage.autopilot())
-        else {
+    /// An order has to be pressed beside what is still so (AP-26); a changed setting has to agree with ports and other
+    /// settings, as at the start.
+    fn may_be(&self, frame: Option<u64>, action: &Order) -> Result<(), String> {
+        let Some(autopilot) = self.parts.voyage.autopilot() else {
+            return Ok(());
+        };
+        let now = self.parts.voyage.now();
+        self.presses.allow(frame, action, autopilot, now)?;
+        let Order::Setting { key, value } = action else {
             return Ok(());
         };
         let mut settings = autopilot.settings().clone();
@@ -336,7 +343,10 @@ impl Thread {
             self.tell_document(Document::Ports, Down::Ports(ports));
         }
         self.published += 1;
-        self.tell(News::Snapshot(Box::new(view::snapshot(&self.parts.voyage))));
+        let mut snapshot = view::snapshot(&self.parts.voyage);
+        snapshot.frame = self.published;
+        self.presses.show(&snapshot);
+        self.tell(News::Snapshot(Box::new(snapshot)));
     }
 
     fn tell_route(&self) {

@@ -3,6 +3,7 @@
 //! Everything is encoded once and shared by all clients, and one signal a tick wakes them.
 
 use crate::bus::{Document, Link, News};
+use crate::dialogue::Dialogue;
 use axum::extract::ws::Utf8Bytes;
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -78,16 +79,18 @@ pub(crate) struct Feed {
     shown: watch::Sender<Shown>,
     held: Mutex<Held>,
     alive: Mutex<Option<Instant>>,
+    dialogue: Dialogue,
 }
 
 impl Feed {
-    /// An empty feed, and the way in.
-    pub(crate) fn new() -> (Arc<Self>, mpsc::Sender<News>, mpsc::Receiver<News>) {
+    /// An empty feed, and the way in; the dialogue of `ports` is checked.
+    pub(crate) fn new(dialogue: Dialogue) -> (Arc<Self>, mpsc::Sender<News>, mpsc::Receiver<News>) {
         let (sender, receiver) = mpsc::channel(QUEUE);
         let feed = Self {
             shown: watch::Sender::default(),
             held: Mutex::default(),
             alive: Mutex::default(),
+            dialogue,
         };
         (Arc::new(feed), sender, receiver)
     }
@@ -108,6 +111,11 @@ impl Feed {
         alive.is_some_and(|at| at.elapsed() < Duration::from_secs(2))
     }
 
+    /// What the checker of the dialogue has found (CON-2).
+    pub(crate) fn dialogue(&self) -> &Dialogue {
+        &self.dialogue
+    }
+
     /// The next text for a client that wants lines from `from` on, and the number after it.
     pub(crate) fn lines(&self, from: u64, last: u64) -> Option<(Utf8Bytes, u64)> {
         self.held().after(from, last)
@@ -120,17 +128,18 @@ impl Feed {
     /// Takes news until the control thread ends. Lines go out with the snapshots, ten times a second, so that
     /// a client has the lines of a snapshot, and no later ones, when it gets that snapshot.
     pub(crate) async fn run(self: Arc<Self>, mut news: mpsc::Receiver<News>, links: Vec<Link>) {
-        let mut frame = 0;
         let mut fresh: Vec<Line> = Vec::new();
         while let Some(told) = news.recv().await {
             match told {
-                News::Lines(lines) => fresh.extend(lines),
+                News::Lines(lines) => {
+                    self.dialogue.hear(&lines);
+                    fresh.extend(lines);
+                }
                 News::Snapshot(snapshot) => {
                     *self.alive.lock().unwrap_or_else(PoisonError::into_inner) =
                         Some(Instant::now());
                     self.held().add(std::mem::take(&mut fresh));
-                    frame += 1;
-                    self.show(frame, *snapshot);
+                    self.show(*snapshot);
                 }
                 News::Document(which, mut document) => {
                     if let Down::Ports(ports) = document.as_mut() {
@@ -147,18 +156,13 @@ impl Feed {
         }
     }
 
-    fn show(&self, frame: u64, mut snapshot: Snapshot) {
+    fn show(&self, snapshot: Snapshot) {
         if self.shown.receiver_count() == 0 {
             return;
         }
-        let line = snapshot.line;
-        snapshot.frame = frame;
+        let (number, line) = (snapshot.frame, snapshot.line);
         if let Some(text) = encode(&Down::Snapshot(snapshot)) {
-            let frame = Frame {
-                number: frame,
-                line,
-                text,
-            };
+            let frame = Frame { number, line, text };
             self.shown.send_modify(|shown| shown.frame = frame);
         }
     }

@@ -72,6 +72,7 @@ fn router(site: Arc<Site>) -> Router {
         .route("/healthz", get(healthz))
         .route("/api/hello", get(hello))
         .route("/api/route", get(route))
+        .route("/api/dialogue", get(dialogue))
         .route("/ws", get(socket))
         .fallback(file)
         .layer(middleware::from_fn_with_state(site.clone(), check))
@@ -171,6 +172,11 @@ async fn hello(State(site): State<Arc<Site>>, Extension(ends): Extension<Ends>) 
 
 async fn route(State(site): State<Arc<Site>>) -> Response<Body> {
     json(site.feed.document(Document::Route))
+}
+
+/// What the checker of the dialogue has found since the start (CON-2).
+async fn dialogue(State(site): State<Arc<Site>>) -> Response<Body> {
+    json(encode(&site.feed.dialogue().found()).unwrap_or_default())
 }
 
 fn json(text: Utf8Bytes) -> Response<Body> {

@@ -10,6 +10,7 @@ mod clock;
 mod config;
 mod control;
 mod decode;
+mod dialogue;
 mod error;
 mod feed;
 mod guard;

@@ -3,6 +3,7 @@
 use crate::bus::{Asked, Inlet, Link};
 use crate::config::{Config, Rules};
 use crate::control::{self, End, Parts};
+use crate::dialogue::Dialogue;
 use crate::error::Error;
 use crate::feed::Feed;
 use crate::guard::Hosts;
@@ -125,7 +126,8 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
     }
     let links = config.map_or_else(Vec::new, links);
     let simulated = voyage.is_embedded();
-    let (feed, news, told) = Feed::new();
+    let dialogue = Dialogue::on(&voyage.picture().ports);
+    let (feed, news, told) = Feed::new(dialogue);
     let (inlet, queues) = Inlet::new();
     let (grant, granted) = oneshot::channel();
     let parts = Parts {

@@ -246,7 +246,7 @@ impl Client {
                 self.window.set_rate(rate);
                 self.wants_lines = lines;
             }
-            Ok(Up::Command { id, action }) => self.order(id, action),
+            Ok(Up::Command { id, frame, action }) => self.order(id, frame, action),
             Err(error) => match command_number(&text) {
                 Some(id) => self.refuse(id, &format!("not understood: {error}")),
                 None => return Err(End::Close(close_code::INVALID, "not understood")),
@@ -256,7 +256,7 @@ impl Client {
     }
 
     /// Gives an order to the control thread; its answer comes by itself.
-    fn order(&mut self, id: u64, action: Order) {
+    fn order(&mut self, id: u64, frame: Option<u64>, action: Order) {
         if self.source.rights == Rights::Look {
             let text = "this page may only look: commands are taken on the ship's own computer";
             return self.refuse(id, text);
@@ -267,6 +267,7 @@ impl Client {
         }
         let asked = Asked::Order {
             id,
+            frame,
             action,
             answer: self.answer.clone(),
             place,

@@ -213,9 +213,17 @@ impl Page {
     /// # Panics
     /// None comes within 20 s.
     pub async fn command(&mut self, action: Order) -> Answer {
+        self.press(None, action).await
+    }
+
+    /// Commands as a page does that showed this frame (AP-26), and waits for the answer.
+    ///
+    /// # Panics
+    /// None comes within 20 s.
+    pub async fn press(&mut self, frame: Option<u64>, action: Order) -> Answer {
         self.commands += 1;
         let id = 7_000 + self.commands;
-        self.say(&Up::Command { id, action }).await;
+        self.say(&Up::Command { id, frame, action }).await;
         let end = Instant::now() + SOON;
         loop {
             if let Some(answer) = self.answers.iter().find(|answer| answer.id == id) {

@@ -39,7 +39,14 @@ fn another_name_is_not_served() {
         "Host: wheelover.example:8080",
         "Host: 10.1.2.3",
     ] {
-        for path in ["/", "/healthz", "/api/hello", "/api/route", "/ws"] {
+        for path in [
+            "/",
+            "/healthz",
+            "/api/hello",
+            "/api/route",
+            "/api/dialogue",
+            "/ws",
+        ] {
             let answer = get(program.address, path, &[host]);
             assert_eq!(answer.status, 421, "{host} {path}");
             assert!(answer.body.is_empty(), "{host} {path}");
@@ -51,7 +58,14 @@ fn another_name_is_not_served() {
 #[test]
 fn every_answer_carries_the_policy() {
     let program = Program::start(&[]);
-    for path in ["/", "/healthz", "/api/hello", "/api/route", "/nothing/here"] {
+    for path in [
+        "/",
+        "/healthz",
+        "/api/hello",
+        "/api/route",
+        "/api/dialogue",
+        "/nothing/here",
+    ] {
         let answer = get(program.address, path, &[]);
         assert_eq!(
             answer.header("content-security-policy"),

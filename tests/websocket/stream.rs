@@ -60,6 +60,33 @@ async fn lines_have_no_gap_and_the_digests_agree_at_ten_times_the_time() {
     }
 }
 
+/// AP-26, AP-25: two tablets; what the second one shows has changed by the first one's press.
+#[tokio::test]
+async fn a_press_for_what_is_no_longer_so_is_refused_and_standby_never() {
+    let program = Program::start(&[]);
+    let mut first = Page::open(program.address).await;
+    let mut second = Page::open(program.address).await;
+    assert!(first.command(Order::Officer(false)).await.ok);
+    first.insist(Order::Mode(ModeRequest::Auto), SOON).await;
+    second
+        .until("AUTO", SOON, |page| mode(page) == Some(ModeName::Auto))
+        .await;
+    let frame = second.snapshot.as_ref().map(|snapshot| snapshot.frame);
+    assert!(frame.is_some());
+    assert!(second.press(frame, Order::SetHeading(250.0)).await.ok);
+    // The frame that was pressed beside showed another set heading.
+    let refused = second.press(frame, Order::AdjustHeading(10.0)).await;
+    assert!(
+        !refused.ok && refused.text.contains("250.0 now"),
+        "{}",
+        refused.text
+    );
+    let refused = first.press(frame, Order::Mode(ModeRequest::Auto)).await;
+    assert!(!refused.ok, "{}", refused.text);
+    let standby = Order::Mode(ModeRequest::Standby);
+    assert!(second.press(frame, standby).await.ok);
+}
+
 #[tokio::test]
 async fn commands_are_answered_once_with_what_followed_or_why_not() {
     let program = Program::start(&[]);

@@ -118,7 +118,7 @@ pub(crate) fn AlertBar() -> impl IntoView {
             {move || match top.get() {
                 None => {
                     // What is not known is not "none".
-                    let none = move || if deck.own.with(Option::is_some) { "NO ALERTS" } else { "NO LINK: ALERTS NOT KNOWN" };
+                    let none = move || if deck.own.with(Option::is_some) { "NO ALERTS" } else { "ALERTS NOT KNOWN" };
                     view! { <span class="quiet" data-value="no-alerts">{none}</span> <span class="alert-text"></span> }.into_any()
                 }
                 Some(alert) => {

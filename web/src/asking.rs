@@ -12,6 +12,17 @@ const PATIENCE: f64 = 2_000.0;
 impl Deck {
     /// Sends a command for a button; says at once where it was not sent.
     pub(crate) fn command(&self, button: &str, action: Order) {
+        self.press(button, None, action);
+    }
+
+    /// Number of the snapshot that is shown.
+    pub(crate) fn frame(&self) -> Option<u64> {
+        self.own
+            .with_untracked(|own| own.as_ref().map(|own| own.frame))
+    }
+
+    /// As [`Deck::command`], for a button that was pressed beside this frame (AP-26).
+    pub(crate) fn press(&self, button: &str, frame: Option<u64>, action: Order) {
         let link = LinkAge {
             age: self.silent(),
             frames: 0,
@@ -20,7 +31,7 @@ impl Deck {
         let sent = if link.lost() {
             None
         } else {
-            link::command(action)
+            link::command(frame, action)
         };
         match sent {
             Some(id) => self.asked.update(|asked| {

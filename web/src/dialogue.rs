@@ -81,6 +81,7 @@ pub(crate) fn Dialogue() -> impl IntoView {
             </section>
             <Looked chosen/>
             <Log port/>
+            <Checked port/>
         </main>
     }
 }
@@ -200,6 +201,42 @@ fn Looked(chosen: Chosen) -> impl IntoView {
     view! {
         <section class="looked" inner_html=table></section>
     }
+}
+
+/// What the checker finds in the dialogue of this port, from the lines that the page holds on (CON-2).
+#[component]
+fn Checked(port: RwSignal<usize>) -> impl IntoView {
+    let deck = Deck::here();
+    let dictionary = Dictionary::here();
+    // The port that is checked, and the last line of it that was.
+    let until = StoredValue::new((usize::MAX, 0_u64));
+    let found = Memo::new(move |before: Option<&String>| {
+        deck.log.track();
+        let port = port.get();
+        let (checked, last) = until.get_value();
+        let after = if checked == port { last } else { 0 };
+        let mut newest = after;
+        let mut text = String::new();
+        deck.with_fold(|fold| {
+            let fresh = |line: &&Line| line.port == port && line.seq > after;
+            for Line {
+                seq,
+                at,
+                text: said,
+                ..
+            } in fold.log.iter().filter(fresh)
+            {
+                newest = *seq;
+                text += &format!("{seq}\t{at}\t{said}\n");
+            }
+        });
+        let follows = dictionary.follow(&text, checked != port);
+        if follows.is_some() {
+            until.set_value((port, newest));
+        }
+        follows.or_else(|| before.cloned()).unwrap_or_default()
+    });
+    view! { <section class="lane check" inner_html=move || found.get()></section> }
 }
 
 /// The last lines as they came.

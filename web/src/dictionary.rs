@@ -4,11 +4,13 @@
 mod export {
     use std::cell::RefCell;
     use wasm_bindgen::prelude::wasm_bindgen;
-    use wheelover_web::explained;
+    use wheelover_core::conformance::Live;
     use wheelover_web::text::Text;
+    use wheelover_web::{checked, explained};
 
     thread_local! {
         static TEXT: RefCell<Text> = RefCell::default();
+        static LIVE: RefCell<Live> = RefCell::default();
     }
 
     /// A line as chips; `chosen` is the field that was tapped, less than 0 for none.
@@ -23,6 +25,17 @@ mod export {
     #[must_use]
     pub fn table(text: &str, chosen: i32) -> String {
         explained::table(text, usize::try_from(chosen).ok())
+    }
+
+    /// Checks the next lines of a running dialogue (CON-2), each `number`, tab, milliseconds, tab, text; `anew`: the first
+    /// ones of another.
+    #[wasm_bindgen]
+    #[must_use]
+    pub fn follow(lines: &str, anew: bool) -> String {
+        if anew {
+            LIVE.take();
+        }
+        LIVE.with_borrow_mut(|live| checked::follow(live, lines))
     }
 
     /// Begins to read a text of many lines.
@@ -59,6 +72,6 @@ mod export {
 }
 
 #[cfg(target_arch = "wasm32")]
-pub use export::{begin, chips, end, table, tables, take, words};
+pub use export::{begin, chips, end, follow, table, tables, take, words};
 
 fn main() {}

@@ -18,6 +18,7 @@
 )]
 
 pub mod believed;
+pub mod checked;
 pub mod clock;
 pub mod drawing;
 pub mod explained;

@@ -69,6 +69,13 @@ impl Dictionary {
         self.line("table", text, chosen)
     }
 
+    /// Checks the next lines of a running dialogue, or the first of another (CON-2); nothing while the dictionary is under way.
+    pub(crate) fn follow(self, lines: &str, anew: bool) -> Option<String> {
+        let lines = JsValue::from_str(lines);
+        self.call("follow", &[&lines, &JsValue::from_bool(anew)])?
+            .as_string()
+    }
+
     /// Begins to read a text of many lines; nothing while the dictionary is under way.
     pub(crate) fn begin(self) -> Option<()> {
         self.call("begin", &[]).map(drop)

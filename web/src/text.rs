@@ -1,11 +1,14 @@
-//! A text of many lines, pasted or from a file, explained: what it holds in words, and its lines as tables.
+//! A text of many lines, pasted or from a file, explained: what it holds in words, what its dialogue breaks (CON-2), and its
+//! lines as tables.
 //!
 //! This belongs to the dictionary's module, which holds the texts.
 
+use crate::checked;
 use crate::drawing::Drawing;
 use crate::explained::article;
 use crate::message;
 use std::fmt::Write;
+use wheelover_core::conformance::{Live, timed};
 use wheelover_core::nmea::ais::Gatherer;
 use wheelover_core::nmea::{decode, json_line};
 use wheelover_core::time::Stamp;
@@ -31,6 +34,7 @@ pub struct Text {
     tables: Drawing,
     later: Drawing,
     gatherer: Gatherer,
+    live: Live,
 }
 
 impl Default for Text {
@@ -46,6 +50,7 @@ impl Default for Text {
             tables: Drawing::new(),
             later: Drawing::new(),
             gatherer: Gatherer::new(),
+            live: Live::default(),
         }
     }
 }
@@ -73,6 +78,7 @@ impl Text {
     /// The text has ended.
     pub fn end(&mut self) {
         self.line();
+        self.live.finish();
     }
 
     fn end_line(&mut self) {
@@ -85,6 +91,8 @@ impl Text {
         let line = sentence(&begun);
         if !line.is_empty() {
             self.lines += 1;
+            let parts = timed(&begun);
+            self.live.take(self.number, parts.at, parts.text);
             let decoded = decode(line);
             let faulty = !decoded.faults().is_empty();
             self.faulty += u64::from(faulty);
@@ -135,7 +143,13 @@ impl Text {
     /// The lines that are explained, as tables.
     #[must_use]
     pub fn tables(&self) -> String {
-        let mut all = self.tables.clone();
+        let mut all = Drawing::new();
+        let found = self.live.found();
+        if found.sentences > 0 {
+            checked::draw(&mut all, &found);
+        }
+        let tables = self.tables.clone().markup();
+        all.plain(&tables);
         if self.faulty_later > 0 {
             all.element("h2", "", "Further lines with faults");
             let later = self.later.clone().markup();
@@ -206,6 +220,20 @@ mod tests {
             "30001 lines, 1 with faults; the first 100 are explained, and 1 later with faults"
         );
         assert!(tables.contains("line 30001") && tables.contains("should be 22"));
+    }
+
+    // CON-2
+    #[test]
+    fn the_dialogue_of_a_dropped_file_is_checked_and_what_is_none_is_not() {
+        let recorded =
+            "0.0 < $EIHTC,V,,,T,R,,,,,,,245.0,T,C*39\n1.0 < $EIHTC,V,,,T,N,,,,,,,245.0,T,C*25\n";
+        for part in [1, 17, 4_096] {
+            let (_, tables) = read(recorded, part);
+            assert!(tables.contains("data-rule=\"TCS-1\""), "{tables}");
+            assert!(tables.contains("1.0 s, line 2, situation 2"), "{tables}");
+        }
+        let (_, tables) = read("$HEHDT,216.8,T*22\n", 5);
+        assert!(!tables.contains("dialogue-check"), "{tables}");
     }
 
     #[test]

@@ -9,7 +9,9 @@ use super::machine::Alerts;
 use super::peer::Peer;
 use super::sentences::{INSTANCE, ala, alc, alf, alr, arc};
 use super::table::Alert;
-use crate::nmea::{Ack, Acn, AlertCommand, CommandStatus, EquipmentStatus, Hbt, Sentence, UtcTime};
+use crate::nmea::{
+    Ack, Acn, AlertCommand, CommandStatus, EquipmentStatus, Eve, Hbt, Sentence, UtcTime,
+};
 use crate::post::Post;
 use crate::station::{Output, PortIndex, PortSetup, Profile, Role};
 use crate::talk::{self, Row, Saying, Share, When};
@@ -206,6 +208,21 @@ impl Reports {
     pub(crate) fn add(&mut self, port: PortIndex, line: String) {
         if let Some(queue) = self.queues.get_mut(port) {
             queue.lines.push_back(line);
+        }
+    }
+
+    /// Tells by EVE, where a port is told it, that somebody operates this station (TCS-13, F2).
+    pub(crate) fn operated(&mut self, now: Stamp, tag: &str, talker: &str, post: &Post) {
+        let eve = Eve {
+            time: utc(post, now, now),
+            tag: Some(tag.into()),
+            text: Some("OPERATION".into()),
+        };
+        for (port, setup) in post.ports().iter().enumerate() {
+            let rows = talk::told(self.station, setup.profile);
+            if setup.output && rows.iter().any(|row| row.saying == Saying::Eve) {
+                self.add(port, eve.line(talker));
+            }
         }
     }
 

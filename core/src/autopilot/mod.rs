@@ -39,7 +39,7 @@ use gear::{Follows, Gear};
 use modes::Modes;
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Finish, Mode, ModeName, RudderHold, Standby,
-    document as modes_document,
+    document as modes_document, title_of,
 };
 use notices::{Notice, Notices};
 use serde::{Deserialize, Serialize};

@@ -5,6 +5,8 @@ use crate::nmea::Sentence;
 use crate::station::{PortIndex, Profile};
 use crate::time::Stamp;
 
+/// Which system somebody operates (F2: EI0001 to EI0016).
+const OPERATED: &str = "EI0001";
 /// As whom it asks and acknowledges (SEN-3).
 const TALKER: &str = "EI";
 
@@ -20,6 +22,13 @@ impl ChartSystem {
             for asked in self.heard.hear(now, sentence) {
                 self.reports.add(port, asked.line(TALKER));
             }
+        }
+    }
+
+    /// TCS-13: an officer operates the chart system; told where that is asked for.
+    pub(super) fn operated(&mut self, now: Stamp) {
+        if self.config.eve {
+            self.reports.operated(now, OPERATED, TALKER, &self.post);
         }
     }
 

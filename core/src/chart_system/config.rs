@@ -21,6 +21,8 @@ pub struct ChartConfig {
     pub early_s: f64,
     /// Indication before wheel-over, seconds.
     pub soon_s: f64,
+    /// An EVE leaves for bridge alert management with each order of an officer (TCS-13).
+    pub eve: bool,
     /// Largest cross-track distance at which control may begin.
     pub begin_cross_track: Distance,
     /// Largest difference of heading and track at which control may begin, degrees.
@@ -50,6 +52,7 @@ impl Default for ChartConfig {
             forwarding_tn_s: 26.0,
             early_s: 180.0,
             soon_s: 30.0,
+            eve: false,
             begin_cross_track: Distance::from_nm(0.5),
             begin_angle_deg: 90.0,
             conning_offset_m: [0.0, 0.0],

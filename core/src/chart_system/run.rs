@@ -2,6 +2,7 @@
 
 use super::state::{ChartSystem, Timer};
 use crate::alerts::Alert;
+use crate::command::Origin;
 use crate::nmea::Sentence;
 use crate::post::{self, Post, Station};
 use crate::station::{Input, Output, PortIndex};
@@ -21,7 +22,12 @@ impl ChartSystem {
                 self.guard.forget();
                 self.followed.stalled(now);
             }
-            Input::Order { order, .. } => out.push(Output::Answer(self.obey(now, order))),
+            Input::Order { by, order } => {
+                if by == Origin::Officer {
+                    self.operated(now);
+                }
+                out.push(Output::Answer(self.obey(now, order)));
+            }
             Input::Tick => {}
         }
     }

@@ -37,7 +37,8 @@ pub fn slot(line: &[u8]) -> Slot<'_> {
     Slot {
         formatter,
         of: [name(0), name(1)],
-        event: row.is_some_and(|row| matches!(row.when, When::Change | When::Asked)),
+        event: row
+            .is_some_and(|row| matches!(row.when, When::Change | When::Asked | When::Operated)),
     }
 }
 

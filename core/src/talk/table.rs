@@ -22,6 +22,8 @@ pub enum When {
     Change,
     /// When an officer acknowledges, or a list names what is not known.
     Asked,
+    /// When an officer operates the station, where that is asked for (TCS-13).
+    Operated,
 }
 
 macro_rules! sayings {
@@ -42,7 +44,7 @@ macro_rules! sayings {
 }
 
 sayings! {
-    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Gll gll, Hbt hbt, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
     Xte xte,
 }
 
@@ -71,7 +73,7 @@ impl Row {
     pub const fn period_ms(&self) -> Option<u64> {
         match self.when {
             When::Every(period) => Some(period),
-            When::Renewed(_) | When::Step | When::Change | When::Asked => None,
+            When::Renewed(_) | When::Step | When::Change | When::Asked | When::Operated => None,
         }
     }
 }
@@ -183,7 +185,11 @@ pub static TABLE: &[Told] = &[
     Told {
         station: Role::ChartSystem,
         profiles: &[Profile::Bams],
-        rows: &const { to_management("EI") },
+        rows: &const {
+            let [alf, alc, arc, hbt] = to_management("EI");
+            let eve = row(Saying::Eve, "EI", When::Operated);
+            [alf, alc, arc, hbt, eve]
+        },
     },
     Told {
         station: Role::ChartSystem,

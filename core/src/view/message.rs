@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 5;
+pub const PROTOCOL: u32 = 6;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -70,6 +70,9 @@ pub enum Up {
     Command {
         /// Chosen by the client; comes back in the answer.
         id: u64,
+        /// The snapshot that it was pressed beside (AP-26); a program may leave it out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        frame: Option<u64>,
         /// What.
         #[serde(rename = "do")]
         action: Order,

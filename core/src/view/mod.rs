@@ -1,7 +1,8 @@
-//! What crosses between server and browser: the messages, and the projections that make them.
+//! What crosses between server and browser: the messages, the projections that make them, and what an order was pressed beside.
 
 mod message;
 mod own;
+mod press;
 mod route;
 mod voyage;
 
@@ -12,6 +13,7 @@ pub use crate::settings::Value;
 pub use crate::voyage::Line;
 pub use message::*;
 pub use own::own;
+pub use press::Presses;
 pub use route::drawn_route;
 pub use voyage::{hello, ports_document, route_document, settings_document, snapshot};
 

@@ -153,7 +153,12 @@ fn messages() -> Vec<String> {
             text: "no position".into(),
         }),
     ];
-    let command = |action| Up::Command { id: 7, action };
+    let pressed = |frame, action| Up::Command {
+        id: 7,
+        frame,
+        action,
+    };
+    let command = |action| pressed(None, action);
     let up = [
         Up::Ack { frame: 1 },
         Up::Resume { seq: 8 },
@@ -162,7 +167,7 @@ fn messages() -> Vec<String> {
             lines: true,
         },
         command(Order::Mode(ModeRequest::Standby)),
-        command(Order::SetHeading(245.0)),
+        pressed(Some(812), Order::SetHeading(245.0)),
         command(Order::AdjustHeading(10.0)),
         command(Order::Acknowledge(101)),
         command(Order::Silence(true)),

@@ -48,6 +48,7 @@ struct Written {
     port: Vec<BTreeMap<Spanned<String>, Spanned<Value>>>,
     ship: BTreeMap<Spanned<String>, Value>,
     autopilot: Option<Spanned<BTreeMap<Spanned<String>, Value>>>,
+    chart_system: Option<Spanned<Value>>,
     route: Option<Spanned<Value>>,
     #[serde(flatten)]
     rest: BTreeMap<String, Value>,
@@ -118,6 +119,12 @@ pub(super) fn unused(text: &str, roles: &[Role]) -> Result<(), Mistake> {
     {
         let text = format!("[autopilot]: {}", nobody(&[Role::Autopilot]));
         return Err((table.span(), text));
+    }
+    if let Some(chart) = &written.chart_system
+        && !roles.contains(&Role::ChartSystem)
+    {
+        let text = format!("[chart_system]: {}", nobody(&[Role::ChartSystem]));
+        return Err((chart.span(), text));
     }
     if let Some(route) = &written.route
         && !route_is_used(roles)

@@ -1,6 +1,7 @@
 //! The configuration file: its names, its defaults, and the form in which it is in force.
 
 mod built;
+mod chart;
 mod load;
 mod port;
 mod read;

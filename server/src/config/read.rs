@@ -1,6 +1,7 @@
 //! Reading a configuration: every mistake is one line with file, line, key and what is allowed.
 
 use super::built;
+use super::chart::Chart;
 use super::port::{Mistake, PortForm, port, socket};
 use super::route;
 use super::rules::conflict;
@@ -25,6 +26,7 @@ struct Form {
     port: Vec<Spanned<PortForm>>,
     ship: Spanned<Ship>,
     autopilot: BTreeMap<Spanned<String>, Spanned<Value>>,
+    chart_system: Spanned<Chart>,
     route: Option<Spanned<route::Form>>,
 }
 
@@ -37,6 +39,7 @@ impl Default for Form {
             port: Vec::new(),
             ship: Spanned::new(0..0, Ship::default()),
             autopilot: BTreeMap::new(),
+            chart_system: Spanned::new(0..0, Chart::default()),
             route: None,
         }
     }
@@ -108,6 +111,7 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
         .get_ref()
         .check()
         .map_err(|text| (form.ship.span(), text))?;
+    let chart = Chart::checked(&form.chart_system)?;
     let ship = form.ship.into_inner();
     let route = match form.route {
         None => None,
@@ -120,6 +124,7 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
         ports,
         ship,
         settings,
+        chart,
         route,
     })
 }

@@ -48,7 +48,16 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
     if config.roles.contains(&Role::Autopilot) {
         settings(config, out)?;
     }
+    if config.roles.contains(&Role::ChartSystem) {
+        chart(config, out)?;
+    }
     route(config, out)
+}
+
+fn chart(config: &Config, out: &mut String) -> std::fmt::Result {
+    let chart = &config.chart;
+    writeln!(out, "\n[chart_system]\nearly_s = {:?}", chart.early_s)?;
+    writeln!(out, "soon_s = {:?}\neve = {}", chart.soon_s, chart.eve)
 }
 
 fn settings(config: &Config, out: &mut String) -> std::fmt::Result {

@@ -308,6 +308,32 @@ fn settings_that_agree_together_are_taken_in_any_order() {
     );
 }
 
+// TCS-11, TCS-13
+#[test]
+fn the_chart_system_side_has_its_own_times_and_what_it_tells() {
+    let with = |text: &str| format!("roles = [\"chart_system\"]\n[chart_system]\n{text}\n");
+    let config = from_text(
+        "w.toml",
+        &with("early_s = 240\nsoon_s = 45\neve = true"),
+        None,
+    );
+    let chart = config.unwrap().voyage().chart;
+    assert_eq!(
+        (chart.early_s, chart.soon_s, chart.eve),
+        (240.0, 45.0, true)
+    );
+    check(&with("early_s = 59"), 2, &["early_s = 59", "60 to 900 s"]);
+    check(&with("soon_s = 5"), 2, &["soon_s = 5", "10 to 120 s"]);
+    check(
+        &with("early_s = 60\nsoon_s = 90"),
+        2,
+        &["soon_s", "early_s"],
+    );
+    check(&with("late_s = 5"), 3, &["unknown key", "late_s"]);
+    let unused = "roles = [\"autopilot\"]\n[chart_system]\neve = true\n";
+    check(unused, 2, &["[chart_system]", "does not run here"]);
+}
+
 // TCS-2
 #[test]
 fn without_a_route_a_configuration_has_none() {

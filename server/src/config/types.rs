@@ -2,6 +2,7 @@
 //!
 //! **Invariant:** a [`Config`] has been checked; nothing starts on one that has not (FD9).
 
+use super::chart::Chart;
 use super::ship::Ship;
 use serde::Deserialize;
 use std::net::SocketAddr;
@@ -81,6 +82,8 @@ pub(crate) struct Config {
     pub(crate) ship: Ship,
     /// Parameters of the autopilot.
     pub(crate) settings: Settings,
+    /// Times and reports of the chart-system side.
+    pub(crate) chart: Chart,
     /// The route of the chart-system side; none: it monitors none (TCS-2).
     pub(crate) route: Option<Route>,
 }

@@ -25,6 +25,9 @@ impl Config {
         let chart = ChartConfig {
             // TCS-2: without a route there is none; the embedded one is the embedded voyage's.
             route: self.route.clone(),
+            early_s: self.chart.early_s,
+            soon_s: self.chart.soon_s,
+            eve: self.chart.eve,
             conning_offset_m: [
                 ship.conning_forward_m - ship.antenna_forward_m,
                 ship.conning_starboard_m - ship.antenna_starboard_m,

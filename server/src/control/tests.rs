@@ -21,6 +21,7 @@ fn what_is_asked_last_is_taken_before_all_that_was_heard() {
     let (id, place) = (7, None);
     let order = Asked::Order {
         id,
+        frame: None,
         action,
         answer,
         place,

@@ -48,7 +48,8 @@ impl Armed {
 #[component]
 pub(super) fn Control() -> impl IntoView {
     let deck = Deck::here();
-    let armed = RwSignal::new(None::<(Armed, f64)>);
+    // What waits for CONFIRM, until when, and the frame that it was pressed beside (AP-26).
+    let armed = RwSignal::new(None::<(Armed, f64, Option<u64>)>);
     let own = Memo::new(move |_| {
         deck.own
             .with(|own| own.as_ref().and_then(|s| s.own.clone()))
@@ -62,22 +63,31 @@ pub(super) fn Control() -> impl IntoView {
     // A press that is not confirmed lapses.
     Effect::new(move |_| {
         deck.readings.track();
-        if armed.with_untracked(|armed| armed.as_ref().is_some_and(|(_, until)| steady() > *until))
-        {
+        if armed.with_untracked(|armed| {
+            armed
+                .as_ref()
+                .is_some_and(|(_, until, _)| steady() > *until)
+        }) {
             armed.set(None);
         }
     });
-    let arm = move |what: Armed| armed.set(Some((what, steady() + CONFIRM)));
+    // What was pressed beside another mode or set heading is not confirmed beside this one.
+    Effect::new(move |_| {
+        mode.track();
+        set.track();
+        armed.set(None);
+    });
+    let arm = move |what: Armed| armed.set(Some((what, steady() + CONFIRM, deck.frame())));
     let nudge = move |degrees: f64| {
         let before = match armed.get_untracked() {
-            Some((Armed::Turn(sum), _)) => sum,
+            Some((Armed::Turn(sum), ..)) => sum,
             _ => 0.0,
         };
         arm(Armed::Turn(before + degrees));
     };
     let confirm = move |_| {
-        if let Some((what, _)) = armed.get_untracked() {
-            deck.command("confirm", what.action());
+        if let Some((what, _, frame)) = armed.get_untracked() {
+            deck.press("confirm", frame, what.action());
         }
         armed.set(None);
     };
@@ -85,7 +95,7 @@ pub(super) fn Control() -> impl IntoView {
     let left = move || {
         deck.readings.track();
         armed.with(|armed| {
-            armed.as_ref().map_or_else(String::new, |(what, until)| {
+            armed.as_ref().map_or_else(String::new, |(what, until, _)| {
                 let seconds = format::fixed(((until - steady()) / 1_000.0).max(0.0), 0);
                 format!("{} · {seconds} s", what.words(set.get()))
             })
@@ -219,7 +229,7 @@ pub(super) fn Control() -> impl IntoView {
                     if armed.get_untracked().is_some() {
                         armed.set(None);
                     } else {
-                        deck.command("cancel", Order::Mode(ModeRequest::Cancel));
+                        deck.press("cancel", deck.frame(), Order::Mode(ModeRequest::Cancel));
                     }
                 }
             >

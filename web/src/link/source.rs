@@ -50,11 +50,12 @@ pub(crate) fn renew() {
 }
 
 /// Sends a command; gives back its number, or nothing where it was not sent.
-pub(crate) fn command(action: Order) -> Option<u64> {
+pub(crate) fn command(frame: Option<u64>, action: Order) -> Option<u64> {
     with(|link| {
         link.next_command += 1;
         let id = link.next_command;
-        link.source.say(&Up::Command { id, action }).then_some(id)
+        let up = Up::Command { id, frame, action };
+        link.source.say(&up).then_some(id)
     })
     .flatten()
 }

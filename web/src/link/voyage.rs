@@ -10,7 +10,7 @@ use std::rc::Rc;
 use std::time::Duration;
 use wheelover_core::time::Stamp;
 use wheelover_core::view::{
-    Answer, Down, Line, Lines, Origin, Up, hello, route_document, snapshot,
+    Answer, Down, Line, Lines, Order, Origin, Presses, Up, hello, route_document, snapshot,
 };
 use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
@@ -28,6 +28,7 @@ struct State {
     ship: f64,
     wall: f64,
     frame: u64,
+    presses: Presses,
     follows: bool,
     answers: Vec<Answer>,
     out: Vec<VoyageOutput>,
@@ -49,6 +50,7 @@ impl InPage {
             held: VecDeque::new(),
             wall: steady(),
             frame: 0,
+            presses: Presses::default(),
             follows: false,
             answers: Vec::new(),
             out: Vec::new(),
@@ -89,6 +91,7 @@ impl InPage {
                 state.frame += 1;
                 let mut snapshot = snapshot(&state.voyage);
                 snapshot.frame = state.frame;
+                state.presses.show(&snapshot);
                 frames.push(Down::Snapshot(snapshot));
             }
             frames
@@ -105,6 +108,20 @@ impl State {
         let passed = (wall - std::mem::replace(&mut self.wall, wall)).min(LONGEST_STEP);
         self.ship += passed * self.voyage.rate();
         self.happen(Event::Tick)
+    }
+
+    /// An order, where it was pressed beside what is still so (AP-26).
+    fn ask(&mut self, id: u64, frame: Option<u64>, order: Order) -> Vec<Line> {
+        let now = self.voyage.now();
+        let refused = (self.voyage.autopilot())
+            .and_then(|autopilot| self.presses.allow(frame, &order, autopilot, now).err());
+        if let Some(text) = refused {
+            let ok = false;
+            self.answers.push(Answer { id, ok, text });
+            return Vec::new();
+        }
+        let by = Origin::Officer;
+        self.happen(Event::Order { id, by, order })
     }
 
     fn happen(&mut self, event: Event) -> Vec<Line> {
@@ -139,12 +156,8 @@ impl Source for InPage {
         // Not at once: what answers must not be called by who asks.
         set_timeout(
             move || match up {
-                Up::Command { id, action } => {
-                    let fresh = voyage.state.borrow_mut().happen(Event::Order {
-                        id,
-                        by: Origin::Officer,
-                        order: action,
-                    });
+                Up::Command { id, frame, action } => {
+                    let fresh = voyage.state.borrow_mut().ask(id, frame, action);
                     let follows = voyage.state.borrow().follows;
                     if let Some(frame) = lines(fresh).filter(|_| follows) {
                         receive(voyage.deck, frame, steady());

@@ -29,7 +29,7 @@ pub use auto::{Auto, Finish};
 pub use autonav_ti::AutonavTi;
 pub use autonav_tn::AutonavTn;
 pub use document::document;
-pub use mode::Mode;
+pub use mode::{Mode, title_of};
 pub(super) use part::Modes;
 pub use rudder_hold::RudderHold;
 pub use standby::Standby;

@@ -149,3 +149,9 @@ impl Mode {
 pub(in super::super) fn row(name: ModeName) -> Option<&'static Row> {
     TABLE.iter().find(|row| row.name == name)
 }
+
+/// The name of a mode for people.
+#[must_use]
+pub fn title_of(name: ModeName) -> &'static str {
+    row(name).map_or("", |row| row.title)
+}

@@ -42,3 +42,38 @@ fn a_stored_chart_system_carries_on_as_if_it_had_not_been_stored() {
     assert_eq!(one, two);
     assert!(!one.is_empty());
 }
+
+/// TCS-13: bridge alert management is told that somebody operates the chart system, where that is asked for.
+#[test]
+fn an_officers_order_is_told_by_eve_where_that_is_asked_for() {
+    let told = |eve: bool, by: Origin| {
+        let mut config = ChartConfig {
+            eve,
+            ..ChartConfig::default()
+        };
+        let bams = crate::station::PortSetup {
+            name: "bams".into(),
+            profile: crate::station::Profile::Bams,
+            ..config.ports[ECDIS].clone()
+        };
+        config.ports.push(bams);
+        let mut chart = ChartSystem::new(config);
+        let mut out = vec![];
+        let order = Order::Chart(ChartRequest::Stop);
+        let input = Input::Order { by, order: &order };
+        chart.handle(Stamp(0), Input::Tick, &mut vec![]);
+        chart.handle(Stamp(500), input, &mut out);
+        for second in 1..20 {
+            chart.handle(Stamp(second * 1_000), Input::Tick, &mut out);
+        }
+        let said = out.iter().filter_map(|output| match output {
+            Output::Send { port: 4, bytes } => Some(String::from_utf8_lossy(bytes)),
+            _ => None,
+        });
+        said.filter(|line| line.starts_with("$EIEVE,,EI0001,OPERATION*"))
+            .count()
+    };
+    assert_eq!(told(true, Origin::Officer), 1);
+    assert_eq!(told(true, Origin::Script), 0);
+    assert_eq!(told(false, Origin::Officer), 0);
+}
