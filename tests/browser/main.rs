@@ -3,6 +3,7 @@
 
 mod believed;
 mod bridge;
+mod checked;
 mod decoder;
 mod fed;
 mod foreign;

@@ -55,25 +55,35 @@ fn words(found: &Found) -> String {
     }
 }
 
-/// Each situation as wide as it lasted.
+/// Each situation as wide as it lasted, of a thousand units in all.
 fn time_line(drawing: &mut Drawing, spans: &[Span]) {
     let lasted = |span: &Span| match (span.from, span.to) {
         (Some(from), Some(to)) => (to - from).max(SHORTEST),
         _ => SHORTEST,
     };
-    drawing.open("div").attribute("class", "spans").inside();
+    let all: f64 = spans.iter().map(lasted).sum();
+    let mut x = 0.0;
+    drawing.open("svg").attribute("class", "spans");
+    drawing.attribute("viewBox", "0 0 1000 30").inside();
     for span in spans {
         let seconds = lasted(span);
-        drawing.open("span");
-        drawing.attribute("data-situation", span.situation);
-        drawing.attribute(
-            "title",
-            format_args!("situation {}, {} s", span.situation, fixed(seconds, 0)),
-        );
-        drawing.attribute("style", format_args!("flex-grow:{}", fixed(seconds, 1)));
-        drawing.inside().say(span.situation).close("span");
+        let width = 1_000.0 * seconds / all;
+        drawing
+            .open("g")
+            .attribute("data-situation", span.situation);
+        drawing.inside();
+        let words = format!("situation {}, {} s", span.situation, fixed(seconds, 0));
+        drawing.element("title", "", words);
+        drawing.open("rect").number("x", x).attribute("y", 1);
+        drawing.number("width", (width - 2.0).max(1.0));
+        drawing.attribute("height", 28).plain("/>");
+        if width > 14.0 {
+            drawing.word("", "middle", (x + width / 2.0, 21.0), span.situation);
+        }
+        drawing.close("g");
+        x += width;
     }
-    drawing.close("div");
+    drawing.close("svg");
 }
 
 fn breach_row(drawing: &mut Drawing, breach: &Breach) {
