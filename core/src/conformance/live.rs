@@ -1,6 +1,7 @@
 //! The checker beside a dialogue that has no end, and one of any length (CON-2): it counts every breach and keeps the last ones only.
 
-use super::{Breach, Checker, Span};
+use super::checker::Checker;
+use super::report::{Breach, Span};
 use alloc::collections::{BTreeMap, VecDeque};
 use alloc::string::String;
 use alloc::vec::Vec;

@@ -1,10 +1,17 @@
 //! A clean dialogue gives no breach; each kind of breach is found, named by its rule.
 
+use super::checker::{by_the_clock, says};
 use super::*;
 use crate::chart_system::tests::Bench;
 use crate::command::ChartRequest;
+use crate::nmea;
+use crate::station::Role;
+use crate::talk::Saying;
+use alloc::format;
+use alloc::string::String;
 use alloc::string::ToString;
 use alloc::vec;
+use alloc::vec::Vec;
 
 type Dialogue = Vec<(f64, String)>;
 

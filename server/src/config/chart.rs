@@ -1,9 +1,7 @@
 //! `[chart_system]`: when the chart-system side indicates a turn, and whether it tells that somebody operates it.
 
-use super::port::Mistake;
 use serde::Deserialize;
 use std::ops::RangeInclusive;
-use toml::Spanned;
 
 /// Allowed times before wheel-over, seconds (TCS-11, MSC.74(69) A2 5.1.5 and 5.1.6).
 const EARLY: RangeInclusive<f64> = 60.0..=900.0;
@@ -32,25 +30,23 @@ impl Default for Chart {
 }
 
 impl Chart {
-    /// Checks what was written.
-    pub(super) fn checked(written: &Spanned<Self>) -> Result<Self, Mistake> {
-        let chart = *written.get_ref();
-        let mistake = |text: String| Err((written.span(), text));
+    /// Whether it can be, or what is allowed.
+    pub(super) fn check(&self) -> Result<(), String> {
         for (name, value, allowed) in [
-            ("early_s", chart.early_s, EARLY),
-            ("soon_s", chart.soon_s, SOON),
+            ("early_s", self.early_s, EARLY),
+            ("soon_s", self.soon_s, SOON),
         ] {
             if !allowed.contains(&value) {
                 let (low, high) = (allowed.start(), allowed.end());
-                return mistake(format!("{name} = {value}; allowed are {low} to {high} s"));
+                return Err(format!("{name} = {value}; allowed are {low} to {high} s"));
             }
         }
-        if chart.soon_s >= chart.early_s {
-            return mistake(format!(
+        if self.soon_s >= self.early_s {
+            return Err(format!(
                 "soon_s ({} s) must be below early_s ({} s)",
-                chart.soon_s, chart.early_s
+                self.soon_s, self.early_s
             ));
         }
-        Ok(chart)
+        Ok(())
     }
 }

@@ -111,7 +111,10 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
         .get_ref()
         .check()
         .map_err(|text| (form.ship.span(), text))?;
-    let chart = Chart::checked(&form.chart_system)?;
+    let chart = *form.chart_system.get_ref();
+    chart
+        .check()
+        .map_err(|text| (form.chart_system.span(), text))?;
     let ship = form.ship.into_inner();
     let route = match form.route {
         None => None,
