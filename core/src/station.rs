@@ -132,10 +132,21 @@ pub struct PortSetup {
     pub profile: Profile,
     /// Which sentences are believed.
     pub checksum: ChecksumPolicy,
+    /// Whose sentences alone are believed, by talker; anybody's where it is empty. Proprietary ones have none (SEN-3).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub talkers: Vec<String>,
     /// Line rate in baud, for the load on the line; 0 where there is none.
     pub baud: u32,
     /// Whether anything may leave by this port.
     pub output: bool,
+}
+
+impl PortSetup {
+    /// Whether a talker may be believed here (SEN-3).
+    #[must_use]
+    pub fn listens_to(&self, talker: &str) -> bool {
+        self.talkers.is_empty() || talker == "P" || self.talkers.iter().any(|t| t == talker)
+    }
 }
 
 /// Direction of a line, as the station of the port sees it.

@@ -12,6 +12,7 @@ fn heard(bytes: &[u8], until: u64) -> Vec<String> {
         name: "gyro1".into(),
         profile: Profile::Gyro1,
         checksum: ChecksumPolicy::Required,
+        talkers: Vec::new(),
         baud: 4_800,
         output: false,
     }];

@@ -40,6 +40,7 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
         name: format!("{profile:?}"),
         profile,
         checksum: ChecksumPolicy::Optional,
+        talkers: Vec::new(),
         baud: 4800,
         output: true,
     };
@@ -74,10 +75,16 @@ fn the_part_of_the_dictionary_is_enough_for_the_picture() {
 
 /// What a picture is after these lines on one port.
 fn heard(profile: Profile, lines: &[&str]) -> Picture {
+    heard_from(&[], profile, lines)
+}
+
+/// As [`heard`], on a port that believes these talkers only.
+fn heard_from(talkers: &[&str], profile: Profile, lines: &[&str]) -> Picture {
     let port = PortSetup {
         name: "port".into(),
         profile,
         checksum: ChecksumPolicy::Required,
+        talkers: talkers.iter().map(ToString::to_string).collect(),
         baud: 4800,
         output: false,
     };
@@ -91,6 +98,26 @@ fn heard(profile: Profile, lines: &[&str]) -> Picture {
         );
     }
     picture
+}
+
+// SEN-3
+#[test]
+fn a_port_that_names_its_talkers_believes_no_other_and_proprietary_sentences() {
+    let command = "HTC,V,,,T,R,,,,,,,245.0,T,C";
+    let lines = ["EI", "RA"].map(|talker| format!("{talker}{command}"));
+    for (talkers, believed) in [(&[][..], 2), (&["EI"], 1), (&["RA", "EI"], 2), (&["GP"], 0)] {
+        let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
+        let picture = heard_from(talkers, Profile::Ecdis, &lines);
+        let count = &picture.counts[0];
+        assert_eq!(
+            (count.heard, count.unused),
+            (2, 2 - believed),
+            "{talkers:?}"
+        );
+        assert_eq!(picture.htc.is_some(), believed > 0, "{talkers:?}");
+    }
+    let proprietary = heard_from(&["EI"], Profile::Ecdis, &["PNEY,001,A,A,0.012,R,N,D"]);
+    assert!(proprietary.pney1.is_some());
 }
 
 // AP-9: every sentence that tells a position, with each mode indicator or quality that counts and each that does not.

@@ -17,6 +17,7 @@ fn ports(baud: u32) -> Vec<PortSetup> {
         name: profile.name().to_string(),
         profile,
         checksum: ChecksumPolicy::Required,
+        talkers: Vec::new(),
         baud,
         output: true,
     };

@@ -88,6 +88,7 @@ mod tests {
             name: name.to_owned(),
             profile,
             checksum: ChecksumPolicy::Required,
+            talkers: Vec::new(),
             baud: 0,
             output: false,
         }

@@ -37,6 +37,7 @@ impl Default for ChartConfig {
             name: name.into(),
             profile,
             checksum: ChecksumPolicy::Required,
+            talkers: Vec::new(),
             baud: 0,
             output,
         };

@@ -39,6 +39,7 @@ impl Picture {
             return false;
         };
         let profile = setup.profile;
+        let stranger = !setup.listens_to(sentence.talker());
         if dir == Direction::Out {
             count.sent += 1;
         } else {
@@ -53,7 +54,9 @@ impl Picture {
             count.heard += 1;
             count.last = Some(at);
         }
-        if dir == Direction::In && !believes(self.station, profile, sentence.formatter) {
+        if dir == Direction::In
+            && (stranger || !believes(self.station, profile, sentence.formatter))
+        {
             self.counts[port].unused += 1;
             return false;
         }

@@ -145,6 +145,8 @@ struct Port {
     name: String,
     profile: Profile,
     checksum: ChecksumPolicy,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    talkers: Vec<String>,
     baud: u32,
     output: bool,
 }
@@ -183,6 +185,7 @@ impl Beginning {
             name: setup.name.clone(),
             profile: setup.profile,
             checksum: setup.checksum,
+            talkers: setup.talkers.clone(),
             baud: setup.baud,
             output: setup.output,
         });
@@ -216,6 +219,7 @@ impl Beginning {
                 name: port.name,
                 profile: port.profile,
                 checksum: port.checksum,
+                talkers: port.talkers,
                 baud: port.baud,
                 output: port.output,
             };

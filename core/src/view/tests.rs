@@ -18,6 +18,7 @@ fn messages() -> Vec<String> {
         name: "ecdis".into(),
         profile: Profile::Ecdis,
         checksum: ChecksumPolicy::Required,
+        talkers: Vec::new(),
         baud: 4800,
         output: true,
     };

@@ -182,6 +182,7 @@ fn end_of(ports: &mut Vec<PortSetup>, profile: Profile) -> PortIndex {
         name: profile.name().to_string(),
         profile,
         checksum: ChecksumPolicy::Required,
+        talkers: Vec::new(),
         baud: 38_400,
         output: true,
     });

@@ -64,6 +64,7 @@ impl Default for WorldConfig {
             name: String::from(name),
             profile,
             checksum: ChecksumPolicy::Required,
+            talkers: Vec::new(),
             baud: 38_400,
             output: true,
         };

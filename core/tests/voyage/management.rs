@@ -12,6 +12,7 @@ fn rig(station: Role) -> Rig {
         name: "bams".into(),
         profile: Profile::Bams,
         checksum: ChecksumPolicy::Required,
+        talkers: Vec::new(),
         baud: 4_800,
         output: true,
     };

@@ -113,6 +113,7 @@ impl Rig {
                 name: "second".into(),
                 profile,
                 checksum: ChecksumPolicy::Required,
+                talkers: Vec::new(),
                 baud: 4800,
                 output: false,
             };

@@ -10,13 +10,12 @@ use toml::{Spanned, Value};
 use wheelover_core::voyage::Role;
 
 /// Keys of the file, its sections, ports and ship.
-const KEYS: [&str; 6] = [
+const KEYS: [&str; 5] = [
     "commissioning",
     "gear",
     "rudder_forward_m",
     "rudders",
     "skipped_by",
-    "talkers",
 ];
 
 /// Profiles of ports.

@@ -21,6 +21,7 @@ pub(super) struct PortForm {
     baud: Option<Spanned<u32>>,
     profile: Spanned<Profile>,
     checksum: Option<Spanned<ChecksumPolicy>>,
+    talkers: Option<Spanned<Vec<String>>>,
     /// An HTC with null status commands (HTC 14).
     pub(super) null_status: Option<Spanned<bool>>,
     #[serde(default)]
@@ -88,6 +89,7 @@ pub(super) fn port(
         );
         return Err((written.span(), text));
     }
+    let talkers = talkers(form.talkers, &name)?;
     let output = form.output.is_some_and(Spanned::into_inner);
     let receives_only = match &place {
         Place::File(_) => Some("a file is only read"),
@@ -109,6 +111,7 @@ pub(super) fn port(
             name,
             profile,
             checksum,
+            talkers,
             baud,
             output,
         },
@@ -142,6 +145,29 @@ fn station(
             Err((span.clone(), text))
         }
     }
+}
+
+/// SEN-3: the talkers that are believed; all where none is named.
+fn talkers(written: Option<Spanned<Vec<String>>>, port: &str) -> Result<Vec<String>, Mistake> {
+    let Some(written) = written else {
+        return Ok(Vec::new());
+    };
+    let span = written.span();
+    let named = written.into_inner();
+    let fine = |talker: &String| {
+        talker.len() == 2
+            && talker
+                .bytes()
+                .all(|b| b.is_ascii_uppercase() || b.is_ascii_digit())
+    };
+    let twice = (1..named.len()).any(|n| named[..n].contains(&named[n]));
+    if named.is_empty() || twice || !named.iter().all(fine) {
+        let text = format!(
+            "talkers of port \"{port}\"; allowed are talkers of two capital letters or digits, each once; leave the key out to believe any"
+        );
+        return Err((span, text));
+    }
+    Ok(named)
 }
 
 fn place(form: &PortForm, span: &Range<usize>, folder: &Path) -> Result<Place, Mistake> {

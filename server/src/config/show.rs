@@ -42,6 +42,10 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
         }
         writeln!(out, "profile = \"{}\"", setup.profile.name())?;
         writeln!(out, "checksum = \"{}\"", policy_name(setup.checksum))?;
+        if !setup.talkers.is_empty() {
+            let talkers: Vec<String> = setup.talkers.iter().map(|t| quoted(t)).collect();
+            writeln!(out, "talkers = [{}]", talkers.join(", "))?;
+        }
         writeln!(out, "output = {}", setup.output)?;
     }
     ship(config, out)?;

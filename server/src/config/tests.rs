@@ -243,7 +243,6 @@ fn what_is_not_built_yet_is_refused_by_its_name() {
         5,
         &["unknown value `radar`", "`monitor`"],
     );
-    not_built(&format!("{PORT}talkers = [\"EI\"]\n"), 6, "talkers");
     for key in ["rudder_forward_m", "rudders"] {
         not_built(&format!("[ship]\nlength_m = 90\n{key} = 1.0\n"), 3, key);
     }
@@ -306,6 +305,18 @@ fn settings_that_agree_together_are_taken_in_any_order() {
         2,
         &["track_caution", "track_fail"],
     );
+}
+
+// SEN-3
+#[test]
+fn a_port_may_believe_some_talkers_only() {
+    let with = |talkers: &str| format!("roles = [\"autopilot\"]\n{PORT}talkers = {talkers}\n");
+    let config = from_text("w.toml", &with("[\"EI\", \"RA\"]"), None).unwrap();
+    assert_eq!(config.ports[0].setup.talkers, ["EI", "RA"]);
+    assert!(in_force(&config).contains("talkers = [\"EI\", \"RA\"]"));
+    for wrong in ["[]", "[\"P\"]", "[\"ei\"]", "[\"EIX\"]", "[\"EI\", \"EI\"]"] {
+        check(&with(wrong), 7, &["talkers", "two capital letters"]);
+    }
 }
 
 // TCS-11, TCS-13

@@ -34,6 +34,7 @@ impl Bridge {
             name: name.into(),
             profile: Profile::Ecdis,
             checksum: ChecksumPolicy::Required,
+            talkers: Vec::new(),
             baud: 4_800,
             output: true,
         };
