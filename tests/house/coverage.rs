@@ -22,14 +22,14 @@ const GROUPS: [(&str, &str); 11] = [
 const ELSEWHERE: [&str; 3] = ["FC", "FD", "FE"];
 
 /// A line of `tests/data/requirements.txt`.
-struct Row {
-    id: String,
-    state: String,
-    what: String,
-    missing: String,
+pub(crate) struct Requirement {
+    pub(crate) id: String,
+    pub(crate) state: String,
+    pub(crate) what: String,
+    pub(crate) missing: String,
 }
 
-impl Row {
+impl Requirement {
     /// Letters before the number.
     fn group(&self) -> &str {
         self.id
@@ -38,13 +38,13 @@ impl Row {
     }
 }
 
-fn rows() -> Vec<Row> {
+pub(crate) fn requirements() -> Vec<Requirement> {
     let text = include_str!("../data/requirements.txt");
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let row = |line: &str| {
         let cells: Vec<String> = line.split('|').map(|cell| cell.trim().to_owned()).collect();
         let [id, state, what, missing] = cells.try_into().expect("four cells");
-        Row {
+        Requirement {
             id,
             state,
             what,
@@ -55,7 +55,7 @@ fn rows() -> Vec<Row> {
 }
 
 /// The identifiers in a text: letters, a hyphen where they have one, a number.
-fn ids(text: &str) -> Vec<String> {
+pub(crate) fn ids(text: &str) -> Vec<String> {
     let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-' || c == '_'));
     let is_id = |word: &&str| {
         let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -101,7 +101,7 @@ fn found() -> BTreeMap<String, [Vec<String>; 2]> {
 }
 
 /// The document.
-fn document(rows: &[Row], found: &BTreeMap<String, [Vec<String>; 2]>) -> String {
+fn document(rows: &[Requirement], found: &BTreeMap<String, [Vec<String>; 2]>) -> String {
     let count = |state: &str| rows.iter().filter(|row| row.state == state).count();
     let mut text = format!(
         "# What is built, and what proves it\n\nMade of `tests/data/requirements.txt` and of the files; a test compares. {} of {} are built, {} in part, {} are open. Faults of\n\
@@ -137,12 +137,12 @@ fn document(rows: &[Row], found: &BTreeMap<String, [Vec<String>; 2]>) -> String 
             );
         }
     }
-    text
+    text + &crate::documents::tables(rows)
 }
 
 #[test]
 fn what_is_called_built_has_code_and_proof_and_the_document_says_so() {
-    let (rows, found) = (rows(), found());
+    let (rows, found) = (requirements(), found());
     let mut wrong = Vec::new();
     for row in &rows {
         let [code, proof] = found.get(&row.id).cloned().unwrap_or_default();

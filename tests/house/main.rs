@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod coverage;
+mod documents;
 mod files;
 mod layers;
 mod needs;
