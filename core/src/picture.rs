@@ -16,7 +16,7 @@ use crate::limits::{Freshness, Quantity, freshness};
 use crate::nmea::{Htc, Htd, Pney1, Pney2, Sentence, Xte, decode_knowing};
 use crate::station::{PortIndex, PortSetup, Role};
 use crate::time::Stamp;
-use crate::units::{RateOfTurn, RudderAngle, Speed};
+use crate::units::{RateOfTurn, RudderAngle, SignedAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec;
@@ -215,6 +215,17 @@ impl Picture {
     #[must_use]
     pub fn water_speed(&self, now: Stamp) -> Option<&Heard<Speed>> {
         self.best(&self.water_speeds, Quantity::WaterSpeed, now)
+    }
+
+    /// The angle of the wind in use: of the apparent one, else of the true one.
+    #[must_use]
+    pub fn wind(&self, apparent: bool, now: Stamp) -> Option<&Heard<SignedAngle>> {
+        let winds = if apparent {
+            &self.apparent_winds
+        } else {
+            &self.true_winds
+        };
+        self.best(winds, Quantity::Wind, now)
     }
 
     /// Place of a source in the order of preference, the best first (AP-9).

@@ -64,6 +64,8 @@ pub enum Profile {
     Rot,
     /// Steering gear: takes rudder orders, gives rudder angles.
     Gear,
+    /// Wind sensor.
+    Wind,
     /// Hand-held control unit.
     Hmi,
     /// Bridge alert management.
@@ -74,7 +76,7 @@ pub enum Profile {
 
 impl Profile {
     /// All, in the order of the interface (section 3a).
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Ecdis,
         Self::Gyro1,
         Self::Gyro2,
@@ -85,6 +87,7 @@ impl Profile {
         Self::Log,
         Self::Rot,
         Self::Gear,
+        Self::Wind,
         Self::Hmi,
         Self::Bams,
         Self::Monitor,
@@ -104,6 +107,7 @@ impl Profile {
             Self::Log => "log",
             Self::Rot => "rot",
             Self::Gear => "gear",
+            Self::Wind => "wind",
             Self::Hmi => "hmi",
             Self::Bams => "bams",
             Self::Monitor => "monitor",

@@ -9,6 +9,9 @@ use wheelover_core::scenario::{BenchRun, Disturbance, Document};
 use wheelover_core::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, Speed};
 use wheelover_core::world::{Drive, Hull};
 
+#[path = "steering/ordered.rs"]
+mod ordered;
+
 const LIMIT: f64 = 35.0;
 
 /// A ship with perfect sensors at the paces of real ones.
@@ -246,7 +249,7 @@ fn orders_never_jump_over_changes_of_demand_sensors_and_limit() {
     let mut demand = heading(0.0, TurnBy::Free);
     for k in 0..6000_u32 {
         if k.is_multiple_of(100) {
-            demand = match k / 100 % 6 {
+            demand = match k / 100 % 8 {
                 0 => heading(f64::from(k % 360), TurnBy::Free),
                 1 => here(&sea, sea.heading() + 40.0),
                 2 => heading(sea.heading() - 100.0, TurnBy::Radius(Radius::from_nm(0.3))),
@@ -257,6 +260,8 @@ fn orders_never_jump_over_changes_of_demand_sensors_and_limit() {
                     Course::from_deg(sea.heading() + 90.0),
                 )),
                 4 => here(&sea, sea.heading() + 170.0),
+                5 => Demand::Rate(RateOfTurn::from_deg_per_min(f64::from(k % 180) - 90.0)),
+                6 => Demand::Rudder(RudderAngle::from_deg(f64::from(k % 80) - 40.0)),
                 _ => heading(
                     sea.heading(),
                     TurnBy::Rate(RateOfTurn::from_deg_per_min(60.0)),

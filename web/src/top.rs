@@ -20,6 +20,12 @@ pub(crate) const fn mode_title(mode: ModeName) -> &'static str {
         ModeName::AutonavTi => "TRACK Ti",
         ModeName::Track => "TRACK APB",
         ModeName::RudderHold => "RUDDER HOLD",
+        ModeName::WindVane => "WIND VANE",
+        ModeName::RiverPilot => "RIVER PILOT",
+        ModeName::Dodge => "DODGE",
+        ModeName::FfuOverride => "FFU OVERRIDE",
+        ModeName::Installation => "INSTALLATION",
+        ModeName::Autotuning => "AUTOTUNING",
     }
 }
 
@@ -34,6 +40,12 @@ pub(crate) const fn mode_key(mode: ModeName) -> &'static str {
         ModeName::AutonavTi => "autonav_ti",
         ModeName::Track => "track",
         ModeName::RudderHold => "rudder_hold",
+        ModeName::WindVane => "wind_vane",
+        ModeName::RiverPilot => "river_pilot",
+        ModeName::Dodge => "dodge",
+        ModeName::FfuOverride => "ffu_override",
+        ModeName::Installation => "installation",
+        ModeName::Autotuning => "autotuning",
     }
 }
 

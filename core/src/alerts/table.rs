@@ -98,6 +98,8 @@ alerts! {
     RateOfTurn = 125, Caution, B, "RATE OF TURN", "The measured rate of turn is not used. Check its sensor";
     /// FA10: too slow to answer the rudder.
     LowSpeed = 126, Alarm, B, "LOW SPEED", "The speed is below the minimum: the ship hardly answers her rudder";
+    /// AP-21: the wind of WIND VANE is lost.
+    WindLost = 127, Alarm, B, "WIND LOST", "No wind is heard: AUTO holds the present heading. Check the wind sensor";
     /// AP-20: nobody gave the ship's constants.
     ShipUnknown = 131, Caution, B, "SHIP CONSTANTS", "The ship's constants were not given: cautious steering, no track control";
     /// AP-4, FA11: feedback invalid or off the order.

@@ -97,16 +97,15 @@ impl Alerting {
         }
     }
 
-    /// Says on each port what is due there, within its share; as unit 00 in STANDBY, else 01 (AP-11, ALA 4).
+    /// Says on each port what is due there, within its share, as that unit of the autopilot (AP-11, ALA 4).
     pub(super) fn report(
         &mut self,
         now: Stamp,
         step_ms: u64,
-        standby: bool,
+        unit: u32,
         post: &mut Post,
         out: &mut Vec<Output>,
     ) {
-        let unit = u32::from(!standby);
         self.reports
             .say(now, step_ms, unit, &mut self.machine, post, out);
     }

@@ -3,8 +3,7 @@
 //! It is its parts, and joins them: `post` hears and says, `sight` judges the sensors, `modes` decides what is steered and
 //! why, `steering` which rudder that wants, `gear` makes the order of it and watches the rudder, `alerts` keeps what is
 //! said of all this. Each owns its state and its timers, is told what it needs, and gives back what happened; none knows
-//! another. Every control step (10 Hz, AP-15) is `step` below. Everything it uses is at most as old as [`crate::limits`]
-//! allows.
+//! another. Every control step (10 Hz, AP-15) is `step` below. What it uses is no older than [`crate::limits`] allows.
 //!
 //! **Invariant:** orders leave only in a mode that gives them, within limit and slew, and the operator's
 //! STANDBY is always granted.
@@ -36,16 +35,16 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use facts::Outlook;
 use gear::{Follows, Gear};
-use modes::Modes;
 pub use modes::{
-    Auto, AutonavTi, AutonavTn, Finish, Mode, ModeName, RudderHold, Standby,
-    document as modes_document, title_of,
+    Auto, AutonavTi, AutonavTn, Autotuning, Dodge, FfuOverride, Finish, Former, Installation, Mode,
+    ModeName, RiverPilot, RudderHold, Standby, WindVane, document as modes_document, title_of,
 };
+use modes::{Modes, SetValue};
 use notices::{Notice, Notices};
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
 use sight::{Sight, Sighted};
-use steering::{Steering, SteeringSettings};
+use steering::{Demand, Steering, SteeringSettings};
 
 /// A control loop that kept its time for so long has recovered (FA16).
 const STALL_OVER_MS: u64 = 10_000;
@@ -171,8 +170,8 @@ impl Autopilot {
         self.steer(now);
         self.watch(now);
         self.report(now, When::Step, out);
-        let (step_ms, standby) = (self.settings.step_ms(), !self.modes.gives_orders());
-        (self.alerts).report(now, step_ms, standby, &mut self.post, out);
+        let (step_ms, unit) = (self.settings.step_ms(), self.modes.unit());
+        (self.alerts).report(now, step_ms, unit, &mut self.post, out);
     }
 
     /// What time alone changes of the alerts; a stall is over once the loop has kept its time for a while (FA16).
@@ -276,18 +275,23 @@ impl Autopilot {
         }
     }
 
-    /// What is demanded becomes an order; without a demand, or a heading, the order is frozen (FA7).
+    /// What is demanded becomes an order; without a demand, or a heading where one is needed, the order is frozen (FA7).
     fn steer(&mut self, now: Stamp) {
         let (modes, outlook) = self.modes_and_outlook(now);
         let (demand, measured) = (modes.demand(&outlook.facts), outlook.measured());
-        let (Some(demand), Some(measured)) = (demand, measured) else {
-            self.gear.freeze();
-            return;
-        };
         let limit = RudderAngle::from_deg(self.modes.limit(&self.settings));
         let dt = self.settings.step_ms() as f64 / 1000.0;
         let given = self.gear.given();
-        let wanted = (self.steering).step(&measured, &demand, limit, given, dt);
+        let wanted = match (demand, measured) {
+            (Some(demand), Some(measured)) => {
+                (self.steering).step(&measured, &demand, limit, given, dt)
+            }
+            (Some(Demand::Rudder(rudder)), None) => self.steering.without_heading(rudder),
+            _ => {
+                self.gear.freeze();
+                return;
+            }
+        };
         self.gear.steer(&wanted, limit, self.steering.ship(), dt);
     }
 
@@ -311,21 +315,17 @@ impl Autopilot {
 
     /// What is due on each port, by the table: once a second, or in a control step.
     fn report(&mut self, now: Stamp, due: When, out: &mut Vec<Output>) {
-        for port in 0..self.post.ports().len() {
-            let profile = self.post.ports()[port].profile;
-            let rows = talk::told(Role::Autopilot, profile).iter();
-            for row in rows.filter(|row| row.when == due) {
-                let followed = !self.alerts.raised(Alert::Rudder);
-                let (modes, outlook) = self.modes_and_outlook(now);
-                if let Some(line) = report::line(row, modes, &outlook, followed) {
-                    self.post.say(now, port, &line, out);
-                }
-            }
+        let followed = !self.alerts.raised(Alert::Rudder);
+        let (modes, outlook) = self.modes_and_outlook(now);
+        for (port, line) in report::due(due, modes, &outlook, followed) {
+            self.post.say(now, port, &line, out);
         }
     }
 
     /// Does what the operator asks, or says why not; his STANDBY is always granted (AP-6, HTC-4).
     fn obey(&mut self, now: Stamp, order: &Order, out: &mut Vec<Output>) {
+        let setting = self.modes.as_setting(order);
+        let order = setting.as_ref().unwrap_or(order);
         let answer = self.carry_out(now, order);
         match (&answer, order) {
             (Err(refusal), _) => self.modes.refuse(&refusal.text),
@@ -339,6 +339,10 @@ impl Autopilot {
     }
 
     fn carry_out(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
+        self.decide(now, |modes, outlook, _| modes.interrupt(outlook, order))?;
+        if let Some(set) = SetValue::of(order) {
+            return self.decide(now, |modes, outlook, _| modes.set(outlook, set));
+        }
         match order {
             Order::Mode(request) => self.decide(now, |modes, outlook, notices| {
                 modes.request(outlook, *request, notices)

@@ -4,17 +4,30 @@ use super::facts::Outlook;
 use super::gear;
 use super::modes::Modes;
 use crate::nmea::Hdt;
-use crate::talk::{Row, Saying};
+use crate::station::{PortIndex, Role};
+use crate::talk::{self, Row, Saying, When};
 use alloc::string::String;
+use alloc::vec::Vec;
 
-/// A sentence as it is now; absent where there is nothing to say, and what is not an autopilot's to say. `followed`: the
-/// rudder follows its order.
-pub(super) fn line(
-    row: &Row,
+/// What is due, with its port.
+pub(super) fn due(
+    due: When,
     modes: &Modes,
     outlook: &Outlook<'_>,
     followed: bool,
-) -> Option<String> {
+) -> Vec<(PortIndex, String)> {
+    let mut lines = Vec::new();
+    for (port, setup) in outlook.seen.picture.ports.iter().enumerate() {
+        let rows = talk::told(Role::Autopilot, setup.profile).iter();
+        let rows = rows.filter(|row| row.when == due);
+        lines.extend(rows.filter_map(|row| Some((port, line(row, modes, outlook, followed)?))));
+    }
+    lines
+}
+
+/// A sentence as it is now; absent where there is nothing to say, and what is not an autopilot's to say. `followed`: the
+/// rudder follows its order.
+fn line(row: &Row, modes: &Modes, outlook: &Outlook<'_>, followed: bool) -> Option<String> {
     let (sight, order) = (outlook.sight, modes.order(outlook.facts.order));
     Some(match (row.saying, row.talker) {
         (Saying::Htd, Some(talker)) => modes.htd(outlook).line(talker),

@@ -19,6 +19,18 @@ pub enum Order {
     SetHeading(f64),
     /// Change the set heading by so many degrees.
     AdjustHeading(f64),
+    /// Set the rate of turn, degrees a minute, starboard positive; in AUTO that of its turns, without a side.
+    SetRate(f64),
+    /// Set the radius of AUTO's turns, nautical miles.
+    SetRadius(f64),
+    /// Order a rudder angle in FFU OVERRIDE, degrees, starboard positive.
+    SetRudder(f64),
+    /// Set the offset of DODGE, degrees, starboard positive.
+    SetDodge(f64),
+    /// Set the wind angle of WIND VANE, degrees from the bow, starboard positive.
+    SetWindAngle(f64),
+    /// Tack through the wind in WIND VANE, by a turn to that side.
+    Tack(Side),
     /// Acknowledge an alert by its number.
     Acknowledge(u16),
     /// Silence all alerts for 30 s.
@@ -64,10 +76,32 @@ pub enum ModeRequest {
     Auto,
     /// AutoNAV, Tn or Ti as the chart system commands.
     Autonav,
-    /// Withdraw a pending AutoNAV selection.
+    /// Withdraw a pending AutoNAV selection, or release DODGE.
     Cancel,
     /// Follow APB.
     Track,
+    /// Hold the angle to the wind.
+    WindVane,
+    /// Turn at a rate.
+    RiverPilot,
+    /// Go round something, and back; asked for again it is released.
+    Dodge,
+    /// Order the rudder.
+    FfuOverride,
+    /// Install: no orders.
+    Installation,
+    /// Sail a bounded zigzag.
+    Autotuning,
+}
+
+/// A side of the ship.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// Left.
+    Port,
+    /// Right.
+    Starboard,
 }
 
 /// What our chart-system side can be asked for.

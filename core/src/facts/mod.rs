@@ -59,6 +59,8 @@ quantities! {
     Variation "variation" 60_000 3_600_000;
     /// Speed through the water.
     WaterSpeed "water" 3_000 5_000;
+    /// Angle of the wind.
+    Wind "wind" 3_000 5_000;
 }
 
 /// Gives the facts to the macro `$then`, a row each: field, one value or one a source, type, and the sentences that say it
@@ -80,6 +82,10 @@ macro_rules! facts {
             grounds: many Ground { vtg: read::vtg, rmc: read::rmc_ground };
             /// Speeds through the water, one a source.
             water_speeds: many Speed { vhw: read::vhw, vbw: read::vbw };
+            /// Angles of the apparent wind from the bow, one a source.
+            apparent_winds: many SignedAngle { mwv: read::mwv_apparent, vwr: read::vwr };
+            /// Angles of the true wind from the bow, one a source.
+            true_winds: many SignedAngle { mwv: read::mwv_true, vwt: read::vwt };
             /// Rudder response.
             rudder: one RudderAngle { rsa: read::rsa };
             /// Rudder order.

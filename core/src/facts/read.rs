@@ -1,8 +1,8 @@
 //! What a sentence without faults says about a fact: a value, or that its source has none (AP-9, FA5).
 
 use super::fix::{Bearing, Fix, Ground};
-use crate::nmea::{self, DataStatus, ModeIndicator, Sentence};
-use crate::units::{Course, RateOfTurn, RudderAngle, Speed};
+use crate::nmea::{self, DataStatus, ModeIndicator, Sentence, WindReference};
+use crate::units::{Course, RateOfTurn, RudderAngle, SignedAngle, Speed};
 
 /// What a source has said.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +92,14 @@ readers! {
     vbw(s: nmea::Vbw) -> Speed {
         is_valid(s.water_status), s.water_ahead.map(|ahead| Speed::from_knots(ahead.max(0.0)))
     }
+    mwv_apparent(s: nmea::Mwv) -> SignedAngle {
+        !is_of(&s, WindReference::Relative) || is_valid(s.status), mwv_angle(&s, WindReference::Relative)
+    }
+    mwv_true(s: nmea::Mwv) -> SignedAngle {
+        !is_of(&s, WindReference::True) || is_valid(s.status), mwv_angle(&s, WindReference::True)
+    }
+    vwr(s: nmea::Vwr) -> SignedAngle { true, s.angle.map(SignedAngle::from_deg) }
+    vwt(s: nmea::Vwt) -> SignedAngle { true, s.angle.map(SignedAngle::from_deg) }
     /// A single or linked rudder stands on the starboard side (AP-4).
     rsa(s: nmea::Rsa) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
     ror(s: nmea::Ror) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
@@ -103,6 +111,17 @@ readers! {
 
 fn is_valid(status: Option<DataStatus>) -> bool {
     status == Some(DataStatus::Valid)
+}
+
+/// Whether a sentence is of that wind; what it says of the other one is nothing of this.
+fn is_of(mwv: &nmea::Mwv, wind: WindReference) -> bool {
+    mwv.reference == Some(wind)
+}
+
+/// The angle where the sentence is of that wind.
+fn mwv_angle(mwv: &nmea::Mwv, wind: WindReference) -> Option<SignedAngle> {
+    let angle = mwv.angle.filter(|_| is_of(mwv, wind));
+    angle.map(SignedAngle::from_deg)
 }
 
 /// An edition without the field says nothing against the value.

@@ -96,6 +96,8 @@ form!(World of WorldConfig {
     speed_mps: Speed = speed;
     current_set_deg: Course = current_set;
     current_drift_mps: Speed = current_drift;
+    wind_from_deg: Course = wind_from;
+    wind_mps: Speed = wind_speed;
 } rest { seed: 0; ports: Vec::new(); noise: Noise::default(); });
 
 form!(Deviations of Noise {

@@ -111,7 +111,13 @@ settings! {
     time_constant_s: given("s", 1.0 ..= 1000.0, 1), Engineer, Ship, "Nomoto time constant T at speed_kn; AP-20.";
     track_caution: number("s", 1.0 ..= 10.0, 1, 3.0), Engineer, ChartSystem, "Age of the chart system's sentences at which a caution is raised; TCS-8.";
     track_fail: number("s", 2.0 ..= 30.0, 1, 5.0), Engineer, ChartSystem, "Age at which TRACK FAIL is raised; TCS-8.";
+    tuning_bound: number("deg", 10.0 ..= 60.0, 0, 35.0), Engineer, Rudder, "AUTOTUNING ends where the heading is farther off the one before; AP-19.";
+    tuning_heading: number("deg", 5.0 ..= 20.0, 0, 10.0), Engineer, Rudder, "AUTOTUNING puts the rudder over at so much off the heading; AP-19.";
+    tuning_rudder: number("deg", 5.0 ..= 20.0, 0, 10.0), Engineer, Rudder, "Rudder of AUTOTUNING to each side, within rudder_limit; AP-19.";
+    tuning_time: number("s", 60.0 ..= 1800.0, 0, 600.0), Engineer, Rudder, "AUTOTUNING ends at the latest after so long; AP-19.";
     variation: given("deg", -90.0 ..= 90.0, 1), Operator, Sensors, "Variation, east positive, for a magnetic compass where none is heard; AP-9.";
+    wind_time: number("s", 1.0 ..= 120.0, 0, 15.0), Operator, Sensors, "Time constant with which the wind's direction is smoothed; AP-21.";
+    wind_true: switch(false), Operator, SetValues, "WIND VANE, from its next selection on, holds the true wind angle and not the apparent one; AP-21.";
 }
 
 /// The line of a setting.

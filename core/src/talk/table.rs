@@ -44,7 +44,7 @@ macro_rules! sayings {
 }
 
 sayings! {
-    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Mwv mwv, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
     Xte xte,
 }
 
@@ -218,6 +218,14 @@ pub static TABLE: &[Told] = &[
         station: Role::World,
         profiles: &[Profile::Log],
         rows: &[row(Saying::Vhw, "VD", SECOND)],
+    },
+    Told {
+        station: Role::World,
+        profiles: &[Profile::Wind],
+        rows: &[
+            // Apparent and true in turn, each once a second.
+            each(row(Saying::Mwv, "WI", When::Every(SECOND_MS / 2)), &[2]),
+        ],
     },
 ];
 

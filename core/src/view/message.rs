@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 6;
+pub const PROTOCOL: u32 = 7;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -164,6 +164,8 @@ pub struct Own {
     pub closed: Vec<(ModeRequest, String)>,
     /// Set heading in AUTO, degrees.
     pub set_heading: Option<f64>,
+    /// What is set in a mode by a number, in the unit of its order; absent where a heading or nothing is set.
+    pub set_value: Option<f64>,
     /// Heading to steer in force, degrees (the set course calculated in track control).
     pub hts: Option<f64>,
     /// Set rate of turn of AUTO, degrees a minute.

@@ -8,7 +8,7 @@ mod voyage;
 
 pub use crate::autopilot::ModeName;
 pub use crate::autopilot::steering::Terms;
-pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order, Origin};
+pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order, Origin, Side};
 pub use crate::settings::Value;
 pub use crate::voyage::Line;
 pub use message::*;

@@ -2,7 +2,7 @@
 
 use super::message::{AlertView, ChartOwn, Own, Pending, RefusedView};
 use crate::alerts::{Category, HeardAlert, Standing};
-use crate::autopilot::{Autopilot, Mode};
+use crate::autopilot::{Autopilot, Mode, ModeName};
 use crate::chart_system::ChartSystem;
 use crate::command::ModeRequest;
 use crate::settings::SteeringBy;
@@ -30,6 +30,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
             Mode::Auto(auto) => Some(auto.set.deg()),
             _ => None,
         },
+        set_value: autopilot.mode().set_value(),
         hts: autopilot.hts().map(Heading::deg),
         set_rate: settings.set_rate,
         set_radius: settings.set_radius,
@@ -66,9 +67,17 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
 
 /// AP-6: which of the modes that have a button would be refused, by the table of needs.
 fn closed(autopilot: &Autopilot, now: Stamp) -> Vec<(ModeRequest, String)> {
+    let mode = autopilot.mode();
+    let on = |name| mode.name() == name;
     let buttons = [
-        (ModeRequest::Auto, matches!(autopilot.mode(), Mode::Auto(_))),
-        (ModeRequest::Autonav, autopilot.mode().is_autonav()),
+        (ModeRequest::Auto, on(ModeName::Auto)),
+        (ModeRequest::Autonav, mode.is_autonav()),
+        (ModeRequest::WindVane, on(ModeName::WindVane)),
+        (ModeRequest::RiverPilot, on(ModeName::RiverPilot)),
+        (ModeRequest::Dodge, on(ModeName::Dodge)),
+        (ModeRequest::FfuOverride, on(ModeName::FfuOverride)),
+        (ModeRequest::Installation, on(ModeName::Installation)),
+        (ModeRequest::Autotuning, on(ModeName::Autotuning)),
     ];
     let off = buttons.into_iter().filter(|(_, on)| !on);
     off.filter_map(|(request, _)| {

@@ -22,6 +22,7 @@ struct Beside {
     mode: ModeName,
     selected: Option<ModeName>,
     set_heading: Option<f64>,
+    set_value: Option<f64>,
     set_rate: f64,
     set_radius: f64,
     by_radius: bool,
@@ -33,6 +34,7 @@ impl Beside {
             mode: own.mode,
             selected: own.pending.as_ref().map(|pending| pending.request),
             set_heading: own.set_heading,
+            set_value: own.set_value,
             set_rate: own.set_rate,
             set_radius: own.set_radius,
             by_radius: own.by_radius,
@@ -51,6 +53,9 @@ impl Beside {
             return format!(
                 "the set heading is {is} now, it was {was} when this was pressed: not done"
             );
+        }
+        if self.set_value != now.set_value {
+            return "what is set has changed since this was pressed: not done".into();
         }
         if self.selected != now.selected {
             return "the selection of AutoNAV has changed since this was pressed: not done".into();

@@ -53,6 +53,7 @@ fn messages() -> Vec<String> {
                 }),
                 closed: vec![(ModeRequest::Auto, "no heading".into())],
                 set_heading: None,
+                set_value: None,
                 hts: Some(245.5),
                 set_rate: 28.0,
                 set_radius: 0.5,
@@ -170,6 +171,18 @@ fn messages() -> Vec<String> {
         command(Order::Mode(ModeRequest::Standby)),
         pressed(Some(812), Order::SetHeading(245.0)),
         command(Order::AdjustHeading(10.0)),
+        command(Order::Mode(ModeRequest::WindVane)),
+        command(Order::Mode(ModeRequest::RiverPilot)),
+        command(Order::Mode(ModeRequest::Dodge)),
+        command(Order::Mode(ModeRequest::FfuOverride)),
+        command(Order::Mode(ModeRequest::Installation)),
+        command(Order::Mode(ModeRequest::Autotuning)),
+        command(Order::SetRate(-12.5)),
+        command(Order::SetRadius(0.5)),
+        command(Order::SetRudder(5.0)),
+        command(Order::SetDodge(-15.0)),
+        command(Order::SetWindAngle(-40.0)),
+        command(Order::Tack(Side::Port)),
         command(Order::Acknowledge(101)),
         command(Order::Silence(true)),
         command(Order::Speed(10.0)),
@@ -273,14 +286,22 @@ fn a_mode_that_would_be_refused_is_closed_with_the_reason_of_the_refusal() {
         let open = |mode: ModeRequest| closed(voyage).iter().all(|(closed, _)| *closed != mode);
         assert!(open(ModeRequest::Standby) && open(ModeRequest::Auto));
     }
-    let why = |voyage: &Voyage| closed(voyage).pop();
-    let autonav = |why: &str| Some((ModeRequest::Autonav, why.to_string()));
+    let why_not = |voyage: &Voyage, mode| {
+        let mut closed = closed(voyage).into_iter();
+        closed.find_map(|(closed, why)| (closed == mode).then_some(why))
+    };
+    let why = |voyage: &Voyage| why_not(voyage, ModeRequest::Autonav);
+    let autonav = |why: &str| Some(why.to_string());
     let not_fitted = autonav("AutoNAV is not enabled at installation");
     assert_eq!(why(&unfitted), not_fitted);
     assert_eq!(why(&voyage), autonav("AutoNAV is selected from AUTO only"));
     press(&mut voyage, ModeRequest::Auto);
     press(&mut unfitted, ModeRequest::Auto);
-    assert_eq!(closed(&voyage), [], "AUTO is on, AutoNAV can be selected");
+    for open in [ModeRequest::Auto, ModeRequest::Autonav, ModeRequest::Dodge] {
+        assert_eq!(why_not(&voyage, open), None, "AUTO is on");
+    }
+    let standby = autonav("INSTALLATION is selected from STANDBY only");
+    assert_eq!(why_not(&voyage, ModeRequest::Installation), standby);
     assert_eq!(why(&unfitted), not_fitted);
 }
 

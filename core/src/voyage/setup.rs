@@ -86,7 +86,8 @@ impl Voyage {
             outside.push((*role, ports[*role as usize].len()));
             ports[*role as usize].push(setup.clone());
         }
-        let cables = lay_cables(&config.roles, &mut ports);
+        let windy = config.world.wind_speed.mps() > 0.0;
+        let cables = lay_cables(&config.roles, windy, &mut ports);
         let runs = |role| config.roles.contains(&role);
         let [world_ports, chart_ports, autopilot_ports] = ports;
         let shown = [Role::Autopilot, Role::ChartSystem, Role::World]
@@ -149,11 +150,12 @@ fn inside() -> impl Iterator<Item = (Profile, Role, Vec<Role>)> {
     })
 }
 
-/// Lays a cable wherever both stations run here and the hearing one has no real port for it.
-fn lay_cables(roles: &[Role], ports: &mut [Vec<PortSetup>; 3]) -> Cables {
+/// Lays a cable wherever both stations run here and the hearing one has no real port for it; that of the wind sensor where
+/// there is wind.
+fn lay_cables(roles: &[Role], windy: bool, ports: &mut [Vec<PortSetup>; 3]) -> Cables {
     let mut cables = Cables::default();
     for (profile, source, listeners) in inside() {
-        if !roles.contains(&source) {
+        if !roles.contains(&source) || profile == Profile::Wind && !windy {
             continue;
         }
         let has = |ports: &[PortSetup]| ports.iter().any(|port| port.profile == profile);

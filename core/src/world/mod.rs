@@ -1,7 +1,8 @@
 //! The world station: a simulated ship with her steering gear and sensors.
 //!
 //! In: rudder orders (ROR) on the gear's port. Out: gyro HDT and ROT and rudder angle RSA ten times a second,
-//! position GLL, velocity VTG and log VHW once a second. Absent on purpose: wind, roll, shallow water.
+//! position GLL, velocity VTG, log VHW and, where there is any, wind MWV once a second. Absent on purpose: what wind does to
+//! the hull, roll, shallow water.
 //!
 //! **Invariant:** a rudder order older than 2 s, or with status V, leaves the rudder where it is.
 
@@ -9,6 +10,7 @@ mod hull;
 mod noise;
 mod sensors;
 mod sentences;
+mod wind;
 
 pub use hull::{Drive, Hull};
 pub use noise::{Drift, Random, Waves};
@@ -50,6 +52,10 @@ pub struct WorldConfig {
     pub current_set: Course,
     /// Speed of the current.
     pub current_drift: Speed,
+    /// Where the wind comes from, over ground; it is felt by its sensor alone.
+    pub wind_from: Course,
+    /// Its speed; at none no wind is measured.
+    pub wind_speed: Speed,
     /// Ports; a profile that is not here sends nothing.
     pub ports: Vec<PortSetup>,
     /// Seed of all noise.
@@ -77,6 +83,8 @@ impl Default for WorldConfig {
             speed: Speed::from_knots(15.0),
             current_set: Course::from_deg(0.0),
             current_drift: Speed::from_knots(0.0),
+            wind_from: Course::from_deg(0.0),
+            wind_speed: Speed::from_knots(0.0),
             ports: alloc::vec![
                 port("gyro1", Profile::Gyro1),
                 port("gps", Profile::Gps),
@@ -358,6 +366,12 @@ impl World {
             Saying::Gll => sentences::position(self.receiver.position, now, talker),
             Saying::Vtg => sentences::velocity(self.receiver.course, self.receiver.speed, talker),
             Saying::Vhw => sentences::log(self.log_speed, talker),
+            Saying::Mwv => {
+                // In turn, each once a second.
+                let apparent = self.steps.is_multiple_of(SECOND_MS / STEP);
+                let wind = (self.config.wind_from, self.config.wind_speed);
+                wind::line(wind, &self.hull, &self.drive, apparent, talker)?
+            }
             _ => return None,
         })
     }

@@ -2,10 +2,11 @@
 
 use crate::geo::Position;
 use crate::nmea::{
-    DataStatus, Gll, Hdt, ModeIndicator, Ror, Rot, Rsa, Sentence, UtcTime, Vhw, Vtg,
+    DataStatus, Gll, Hdt, ModeIndicator, Mwv, Ror, Rot, Rsa, Sentence, UtcTime, Vhw, Vtg,
+    WindReference, WindUnit,
 };
 use crate::time::Stamp;
-use crate::units::{METRES_PER_SECOND_PER_KNOT, RudderAngle};
+use crate::units::{METRES_PER_SECOND_PER_KNOT, RudderAngle, wrap_360};
 use alloc::string::String;
 
 const VALID: Option<DataStatus> = Some(DataStatus::Valid);
@@ -70,6 +71,23 @@ pub(super) fn log(speed: f64, talker: &str) -> String {
         ..Vhw::default()
     };
     vhw.line(talker)
+}
+
+/// Wind sensor: MWV; angle from the bow in degrees, speed in m/s.
+pub(super) fn wind(angle: f64, apparent: bool, speed: f64, talker: &str) -> String {
+    let reference = if apparent {
+        WindReference::Relative
+    } else {
+        WindReference::True
+    };
+    let mwv = Mwv {
+        angle: Some(wrap_360(angle)),
+        reference: Some(reference),
+        speed: Some(speed),
+        unit: Some(WindUnit::Metres),
+        status: VALID,
+    };
+    mwv.line(talker)
 }
 
 /// The rudder order of an ROR: the angle, or nothing where its status is not A. The outer none: another sentence.

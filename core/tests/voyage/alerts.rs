@@ -3,11 +3,11 @@
 mod cases;
 
 use crate::rig::{Rig, route};
-use cases::{CASES, Case, case, fault, nothing, set};
+use cases::{CASES, Case, case, fault, nothing, set, whole};
 use std::collections::BTreeSet;
 use wheelover_core::alerts::{Alert, State};
 use wheelover_core::station::Profile;
-use wheelover_core::view::{ChartRequest, FaultKind, Order};
+use wheelover_core::view::{ChartRequest, FaultKind, ModeRequest, Order};
 use wheelover_core::voyage::{Voyage, VoyageConfig};
 
 /// Raised by either station.
@@ -88,6 +88,27 @@ fn unknown_constants_are_said_until_they_are_given() {
     check(&mut rig, &unknown);
 }
 
+// AP-21: there has to be a wind that can be lost.
+#[test]
+fn a_lost_wind_is_said_until_it_is_heard() {
+    let mut rig = Rig::windy(route(&[(245.0, 2.5), (305.0, 2.5)], 0.5), 3);
+    rig.run(5.0);
+    for mode in [ModeRequest::Auto, ModeRequest::WindVane] {
+        rig.command(Order::Mode(mode)).unwrap();
+    }
+
+    check(
+        &mut rig,
+        &case(
+            Alert::WindLost,
+            |rig| rig.silence(Profile::Wind, ""),
+            7.0,
+            whole,
+            3.0,
+        ),
+    );
+}
+
 #[test]
 fn no_alert_is_left_out() {
     let here: BTreeSet<Alert> = (CASES.iter().map(|case| case.alert))
@@ -95,6 +116,7 @@ fn no_alert_is_left_out() {
             Alert::ChartPositionLost,
             Alert::CrossTrack,
             Alert::ShipUnknown,
+            Alert::WindLost,
             // It takes a second compass: `monitor`.
             Alert::HeadingDifference,
         ])

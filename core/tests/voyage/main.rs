@@ -10,6 +10,7 @@ mod cross_track;
 mod entry;
 mod magnetic;
 mod management;
+mod modes;
 mod monitor;
 mod monte_carlo;
 mod offsets;

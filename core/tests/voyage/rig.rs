@@ -60,12 +60,17 @@ pub(crate) fn route(legs: &[(f64, f64)], radius: f64) -> Route {
 impl Rig {
     /// The ship on the first leg of `route`, half a cable from its beginning, 1 kn of current across.
     pub(crate) fn new(route: Route, seed: u64) -> Self {
-        Self::sailing(route.clone(), Some(route), seed, Vec::new())
+        Self::sailing(route.clone(), Some(route), seed, Vec::new(), 0.0)
+    }
+
+    /// The same in a wind of 15 kn from 40 degrees on the port bow.
+    pub(crate) fn windy(route: Route, seed: u64) -> Self {
+        Self::sailing(route.clone(), Some(route), seed, Vec::new(), 15.0)
     }
 
     /// The same where the chart system has no route.
     pub(crate) fn without_route(route: Route, seed: u64) -> Self {
-        Self::sailing(route, None, seed, Vec::new())
+        Self::sailing(route, None, seed, Vec::new(), 0.0)
     }
 
     fn sailing(
@@ -73,6 +78,7 @@ impl Rig {
         loaded: Option<Route>,
         seed: u64,
         ports: Vec<(Role, PortSetup)>,
+        wind: f64,
     ) -> Self {
         let leg = route.leg(0);
         let mut config = VoyageConfig::embedded(seed);
@@ -85,6 +91,8 @@ impl Rig {
             seed,
             current_set: Course::from_deg(leg.course().deg() + 90.0),
             current_drift: Speed::from_knots(1.0),
+            wind_from: Course::from_deg(leg.course().deg() - 40.0),
+            wind_speed: Speed::from_knots(wind),
             ..WorldConfig::default()
         };
         Self::of(Voyage::configured(config), route)
@@ -93,7 +101,7 @@ impl Rig {
     /// Under track control, with real ports besides: whose, and what.
     pub(crate) fn tracking_with(ports: Vec<(Role, PortSetup)>) -> Self {
         let route = route(&[(245.0, 2.5), (305.0, 2.5)], 0.5);
-        let mut rig = Self::sailing(route.clone(), Some(route), 3, ports);
+        let mut rig = Self::sailing(route.clone(), Some(route), 3, ports, 0.0);
         rig.engage();
         rig
     }
@@ -285,8 +293,7 @@ impl Rig {
         let order = self.autopilot().rudder_order().map(|order| order.deg());
         self.orders.push((self.now, order));
         let read = self.autopilot().picture().heading(self.now);
-        let read = read.and_then(|read| read.value.true_heading(None));
-        let read = read.map(|read| read.deg());
+        let read = read.and_then(|read| Some(read.value.true_heading(None)?.deg()));
         self.read.extend(read);
     }
 

@@ -86,6 +86,9 @@ impl Gear {
         if wanted.joins {
             self.rudder.join();
         }
+        if wanted.ordered {
+            self.rudder.obey();
+        }
         let limit = limit.deg().min(ship.rudder_max.deg());
         let limited = self.rudder.step(wanted.rudder.deg(), limit, ship.slew, dt);
         let steered = Steered {

@@ -38,6 +38,12 @@ impl Rudder {
         self.joining = true;
     }
 
+    /// What is wanted next is ordered as it stands: nothing is left of a transfer.
+    pub(super) fn obey(&mut self) {
+        self.joining = false;
+        self.transfer = 0.0;
+    }
+
     /// The order in force, degrees.
     pub(super) const fn order(&self) -> f64 {
         self.order

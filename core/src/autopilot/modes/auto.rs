@@ -1,5 +1,6 @@
 //! AUTO: heading control; also how a lost turn is finished, and where AutoNAV is selected from (AP-1, AP-6, TCS-8).
 
+use super::former::Former;
 use super::need::Need;
 use super::state::{Listed, PLANE_M, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
@@ -7,7 +8,7 @@ use crate::autopilot::facts::Facts;
 use crate::autopilot::steering::{Demand, TurnBy};
 use crate::nmea::{Htd, SteeringMode};
 use crate::path::{Part, Path};
-use crate::settings::SteeringBy;
+use crate::settings::{Role, Settings, SteeringBy};
 use crate::time::Stamp;
 use crate::units::{Heading, Radius, RateOfTurn};
 use alloc::vec::Vec;
@@ -24,6 +25,8 @@ pub struct Auto {
     pub selected_until: Option<Stamp>,
     /// Until when a stop by the chart system may still turn out to be the end of the route (TCS-10).
     pub stop_cause_until: Option<Stamp>,
+    /// Until when a second selection of AUTOTUNING begins it (AP-19).
+    pub tuning_until: Option<Stamp>,
 }
 
 /// How a turn is finished after TRACK FAIL on a curve (TCS-8).
@@ -44,6 +47,7 @@ impl Auto {
             finish: None,
             selected_until: None,
             stop_cause_until: None,
+            tuning_until: None,
         }
     }
 
@@ -55,16 +59,25 @@ impl Auto {
     }
 }
 
+/// How AUTO turns by its own settings.
+pub(super) fn turns_by(settings: &Settings) -> TurnBy {
+    match settings.steering_by {
+        SteeringBy::Radius => TurnBy::Radius(Radius::from_nm(settings.set_radius)),
+        SteeringBy::Rate => TurnBy::Rate(RateOfTurn::from_deg_per_min(settings.set_rate)),
+    }
+}
+
 impl Listed for Auto {
     const ROW: Row = Row {
         name: ModeName::Auto,
         title: "AUTO",
         what: "Heading control: the set heading is steered, by the set radius or rate; a turn that was lost is finished.",
+        role: Role::Operator,
         entry: &[Need::Heading, Need::NoOverride],
         needs: &[Need::Heading],
         on_loss: OnLoss::RudderHold,
         limit: Limit::Set,
-        htd: SteeringMode::StandAlone,
+        htd: Some(SteeringMode::StandAlone),
         commanded: None,
         steers: "AUTO steers, SWITCH TO AUTO",
     };
@@ -100,11 +113,7 @@ impl State for Auto {
             }
             self.finish = Some(Finish { by, wait: None });
         }
-        let settings = &facts.settings;
-        let own = match settings.steering_by {
-            SteeringBy::Radius => TurnBy::Radius(Radius::from_nm(settings.set_radius)),
-            SteeringBy::Rate => TurnBy::Rate(RateOfTurn::from_deg_per_min(settings.set_rate)),
-        };
+        let own = turns_by(facts.settings);
         Some(Demand::Heading {
             set: self.set,
             by: self.finish.map_or(own, |finish| finish.by),
@@ -113,6 +122,10 @@ impl State for Auto {
 
     fn hts(&self, _: &Facts<'_>) -> Option<Heading> {
         Some(self.set)
+    }
+
+    fn former(&self) -> Option<Former> {
+        Some(Former::Auto(self.set))
     }
 
     fn htd(&self, facts: &Facts<'_>, htd: &mut Htd) {

@@ -1,6 +1,7 @@
 //! AutoNAV Tn: the heading to steer comes from the chart system (AP-6, TCS-6).
 
 use super::auto::{Auto, Finish};
+use super::former::Former;
 use super::need::{ENTRY, Need};
 use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
@@ -8,6 +9,7 @@ use crate::autopilot::facts::Facts;
 use crate::autopilot::steering::{Demand, TurnBy};
 use crate::command::{Refusal, Remote};
 use crate::nmea::{Htd, SteeringMode, TurnMode};
+use crate::settings::Role;
 use crate::time::Stamp;
 use crate::units::{Course, Heading, RateOfTurn};
 use alloc::format;
@@ -71,6 +73,7 @@ impl Listed for AutonavTn {
         name: ModeName::AutonavTn,
         title: "AutoNAV Tn",
         what: "Remote heading control: the heading to steer of HTC mode H is steered, in a turn at the commanded rate.",
+        role: Role::Operator,
         entry: ENTRY,
         needs: &[
             Need::Heading,
@@ -80,7 +83,7 @@ impl Listed for AutonavTn {
         ],
         on_loss: OnLoss::TrackFail,
         limit: Limit::Max,
-        htd: SteeringMode::HeadingControl,
+        htd: Some(SteeringMode::HeadingControl),
         commanded: Some("heading controlled by the chart system"),
         steers: "",
     };
@@ -106,6 +109,10 @@ impl State for AutonavTn {
 
     fn hts(&self, _: &Facts<'_>) -> Option<Heading> {
         Some(self.hts)
+    }
+
+    fn former(&self) -> Option<Former> {
+        Some(Former::Autonav)
     }
 
     fn htd(&self, _: &Facts<'_>, htd: &mut Htd) {

@@ -2,6 +2,7 @@
 
 use super::auto::{Auto, Finish};
 use super::event::{Cause, Event};
+use super::former::Former;
 use super::mode::{Mode, TABLE};
 use super::need::{Lost, Need};
 use super::table::{Limit, OnLoss, Row};
@@ -10,7 +11,7 @@ use crate::geo::Point;
 use crate::path::Path;
 use crate::settings::Settings;
 use crate::time::Stamp;
-use crate::units::{Course, Heading, Radius, RudderAngle};
+use crate::units::{Course, Heading, Radius, RudderAngle, SignedAngle};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -50,6 +51,7 @@ fn modes() -> String {
     let head = [
         "mode",
         "what it does",
+        "selected by",
         "refused at once without",
         "needs",
         "a watched need is lost",
@@ -60,6 +62,7 @@ fn modes() -> String {
         let lost = match row.on_loss {
             OnLoss::Nothing => "–",
             OnLoss::RudderHold => "RUDDER HOLD",
+            OnLoss::Auto => "AUTO, alarm",
             OnLoss::TrackFail => "TRACK FAIL, AUTO",
         };
         let limit = match row.limit {
@@ -70,11 +73,12 @@ fn modes() -> String {
         alloc::vec![
             row.title.to_string(),
             row.what.to_string(),
+            format!("{:?}", row.role).to_lowercase(),
             list(row.entry),
             list(row.needs),
             lost.to_string(),
             limit.to_string(),
-            format!("{:?}", row.htd),
+            row.htd.map_or("null".into(), |mode| format!("{mode:?}")),
         ]
     };
     let text = "## Modes\n\nA selection waits for what a mode needs, for 20 s; then it lapses.\n\n";
@@ -92,6 +96,7 @@ fn needs() -> String {
         let lost = match need.lost() {
             Lost::AtEntry => "asked for at the selection only".to_string(),
             Lost::RudderHold => "the rudder is held, alarm".to_string(),
+            Lost::Auto => "AUTO holds the present heading after its age limit, alarm".to_string(),
             Lost::NotFollowed => "the next command is not followed, caution".to_string(),
             Lost::Watched(_) if *need == Need::Agreement => {
                 "what does not agree is said at once, TRACK FAIL with it after `track_fail`"
@@ -136,6 +141,32 @@ fn events() -> Vec<(&'static str, Event)> {
         ("something missing", Event::TrackFail(Cause::Missing),),
         ("HTC says S", Event::TrackFail(Cause::StandAlone)),
         ("heading lost", Event::HeadingLost),
+        ("RIVER PILOT", Event::RiverPilot),
+        (
+            "WIND VANE",
+            Event::WindVane {
+                angle: SignedAngle::from_deg(30.0),
+                apparent: true,
+                direction: Heading::from_deg(30.0),
+            },
+        ),
+        (
+            "DODGE",
+            Event::Dodge {
+                base: Heading::from_deg(0.0),
+                former: Former::Autonav,
+            },
+        ),
+        (
+            "FFU OVERRIDE",
+            Event::FfuOverride(RudderAngle::from_deg(0.0)),
+        ),
+        (
+            "over, or DODGE released",
+            Event::AutoOn(Heading::from_deg(30.0))
+        ),
+        ("INSTALLATION", Event::Installation),
+        ("AUTOTUNING", Event::Autotuning),
     ]
 }
 
@@ -164,7 +195,7 @@ fn transitions() -> String {
         }));
         row
     });
-    let text = "## Transitions\n\nWhat each event makes of a mode; – is no change. “Agreed”: the operator has selected AutoNAV, or the chart\nsystem switches between Tn and Ti, and everything that is needed is there. A lost turn is finished by its last commanded radius or rate.\n\n";
+    let text = "## Transitions\n\nWhat each event makes of a mode; – is no change. “Agreed”: the operator has selected AutoNAV, or the chart\nsystem switches between Tn and Ti, and everything that is needed is there. A lost turn is finished by its last commanded radius or rate.\nDODGE that was selected in AutoNAV or WIND VANE goes back there when it is released, where the needs still hold.\n\n";
     text.to_string() + &table(&head, rows)
 }
 

@@ -1,7 +1,8 @@
 //! What changes a mode.
 
+use super::former::Former;
 use crate::path::Path;
-use crate::units::{Course, Heading, Radius, RateOfTurn};
+use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle};
 use serde::{Deserialize, Serialize};
 
 /// Why control by the chart system ended.
@@ -48,4 +49,30 @@ pub(in super::super) enum Event {
     Override,
     /// No heading is usable.
     HeadingLost,
+    /// The mode is over, or released, and AUTO holds this heading.
+    AutoOn(Heading),
+    /// The operator selects RIVER PILOT.
+    RiverPilot,
+    /// The operator selects FFU OVERRIDE, where the rudder stands so.
+    FfuOverride(RudderAngle),
+    /// WIND VANE is selected, or DODGE goes back to it.
+    WindVane {
+        /// Angle to hold.
+        angle: SignedAngle,
+        /// To the apparent wind.
+        apparent: bool,
+        /// Where the wind comes from.
+        direction: Heading,
+    },
+    /// The operator selects DODGE.
+    Dodge {
+        /// Off this heading.
+        base: Heading,
+        /// What it returns to.
+        former: Former,
+    },
+    /// The engineer selects INSTALLATION.
+    Installation,
+    /// The engineer selects AUTOTUNING.
+    Autotuning,
 }

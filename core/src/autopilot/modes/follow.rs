@@ -112,8 +112,15 @@ impl Modes {
         let now = outlook.facts.now;
         let missing = self.missing(outlook, wanted);
         if !self.mode.is_autonav() {
-            let selected = self.mode.selected_until().is_some();
-            if !selected && missing.is_none() {
+            // Not over what another mode says, or over the limits of AUTOTUNING while they are shown.
+            let free = match &self.mode {
+                Mode::Auto(auto) => {
+                    auto.selected_until.is_none() && auto.tuning_until.is_none_or(|at| now >= at)
+                }
+                Mode::Standby(_) | Mode::RudderHold(_) => true,
+                _ => false,
+            };
+            if free && missing.is_none() {
                 self.why = "the chart system offers control: select AutoNAV".into();
             }
             return;

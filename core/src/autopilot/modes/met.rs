@@ -9,6 +9,7 @@ use crate::autopilot::remote::Charted;
 use crate::command::{ModeRequest, Refusal, Remote};
 use crate::limits::Quantity;
 use crate::units::Radius;
+use alloc::format;
 
 /// The mode that a command asks for; absent where it asks for no control.
 pub(super) const fn mode_of(command: Remote) -> Option<ModeName> {
@@ -60,7 +61,19 @@ impl Modes {
             ModeRequest::Track => {
                 return Err(Refusal::because("TRACK is not built yet"));
             }
+            // Asked for again, it is released.
+            ModeRequest::Dodge if matches!(self.mode, Mode::Dodge(_)) => return Ok(()),
+            ModeRequest::Dodge => ModeName::Dodge,
+            ModeRequest::WindVane => ModeName::WindVane,
+            ModeRequest::RiverPilot => ModeName::RiverPilot,
+            ModeRequest::FfuOverride => ModeName::FfuOverride,
+            ModeRequest::Installation => ModeName::Installation,
+            ModeRequest::Autotuning => ModeName::Autotuning,
         };
+        if request != ModeRequest::Auto && self.mode.name() == mode {
+            let text = format!("{} is on already", self.mode.title());
+            return Err(Refusal::because(text));
+        }
         self.can_enter(outlook, mode)
     }
 
@@ -71,6 +84,9 @@ impl Modes {
 
     /// Whether a mode may be entered now, or why not.
     fn can_enter(&self, outlook: &Outlook<'_>, mode: ModeName) -> Result<(), Refusal> {
+        if matches!(self.mode, Mode::Installation(_)) {
+            return Err(Refusal::because("INSTALLATION is ended by STANDBY only"));
+        }
         let entry = row(mode).map_or(&[][..], |row| row.entry);
         let lacks = entry.iter().find(|need| !self.has(outlook, **need, mode));
         lacks.map_or(Ok(()), |need| Err(Refusal::because(need.missing())))
@@ -94,6 +110,11 @@ impl Modes {
             Need::NoOverride => self.command(outlook) != Some(Remote::Override),
             Need::LegKnown => self.commanded_radius(outlook).is_none(),
             Need::Heading => sight.heading().is_some(),
+            Need::InStandby => matches!(self.mode, Mode::Standby(_)),
+            Need::AutoSteers => matches!(self.mode, Mode::Auto(auto) if auto.finish.is_none()),
+            Need::SteadySpeed => self.speed.lasts(seen.now),
+            Need::Dodgeable => self.mode.state().former().is_some(),
+            Need::Wind => sight.wind(!outlook.facts.settings.wind_true).is_some(),
             Need::MeasuredSpeed => seen.ground().is_some() || seen.water_speed().is_some(),
             Need::Command => self.wanted(outlook) == Some(mode),
             Need::ShipConstants => outlook.ship.known,

@@ -4,36 +4,54 @@
 //! it does with commands. It owns all that ends with it. Beside its file another mode takes a line in `modes!` and its
 //! transitions in [`Mode::next`], which holds them all (`mode`).
 //!
-//! [`Modes`] is the part of the station: it holds the mode (`part`), selects it (`selection`, `met`), watches it
+//! [`Modes`] is the part of the station: it holds the mode (`part`), selects it (`selection`, `ordered`, `met`), watches it
 //! (`supervise`, `off_heading`) and obeys the chart system (`follow`).
 
 mod auto;
 mod autonav_ti;
 mod autonav_tn;
+mod autotuning;
 mod document;
+mod dodge;
 mod event;
+mod ffu_override;
 mod follow;
+mod former;
+mod installation;
 mod met;
 mod mode;
 mod need;
 mod off_heading;
+mod ordered;
 mod part;
+mod river_pilot;
 mod rudder_hold;
 mod selection;
+mod set_value;
 mod standby;
 mod state;
+mod steady_speed;
 mod supervise;
 mod table;
+mod wind_vane;
 
 pub use auto::{Auto, Finish};
 pub use autonav_ti::AutonavTi;
 pub use autonav_tn::AutonavTn;
+pub use autotuning::Autotuning;
 pub use document::document;
+pub use dodge::Dodge;
+pub use ffu_override::FfuOverride;
+pub use former::Former;
+pub use installation::Installation;
 pub use mode::{Mode, title_of};
 pub(super) use part::Modes;
+pub use river_pilot::RiverPilot;
 pub use rudder_hold::RudderHold;
+pub(super) use set_value::SetValue;
 pub use standby::Standby;
 pub use table::ModeName;
+pub use wind_vane::WindVane;
 
 #[cfg(test)]
 mod tests;

@@ -3,11 +3,17 @@
 use super::auto::Auto;
 use super::autonav_ti::AutonavTi;
 use super::autonav_tn::AutonavTn;
+use super::autotuning::Autotuning;
+use super::dodge::Dodge;
 use super::event::{Cause, Event};
+use super::ffu_override::FfuOverride;
+use super::installation::Installation;
+use super::river_pilot::RiverPilot;
 use super::rudder_hold::RudderHold;
 use super::standby::Standby;
 use super::state::{Listed, State};
 use super::table::{ModeName, Row};
+use super::wind_vane::WindVane;
 use crate::autopilot::facts::Facts;
 use crate::time::Stamp;
 use alloc::vec::Vec;
@@ -59,6 +65,12 @@ modes! {
     AutonavTn: "Remote heading control by HTC.";
     AutonavTi: "Track control by HTC, XTE and PNEY.";
     RudderHold: "Rudder frozen after a critical failure.";
+    WindVane: "The angle to the wind is held.";
+    RiverPilot: "The rate of turn is held.";
+    Dodge: "Round something, and back.";
+    FfuOverride: "The rudder is ordered.";
+    Installation: "No orders: the engineer sets the autopilot up.";
+    Autotuning: "A bounded zigzag.";
 }
 
 impl Mode {
@@ -69,7 +81,13 @@ impl Mode {
     pub(in super::super) fn next(self, event: &Event, facts: &Facts<'_>) -> Self {
         match (self, event) {
             (_, Event::Standby | Event::Override) => Self::STANDBY,
-            (mode @ (Self::Standby(_) | Self::RudderHold(_)), Event::HeadingLost) => mode,
+            // AP-18: left to STANDBY only.
+            (mode @ Self::Installation(_), _) => mode,
+            (Self::Standby(_), Event::Installation) => Self::Installation(Installation),
+            (
+                mode @ (Self::Standby(_) | Self::RudderHold(_) | Self::FfuOverride(_)),
+                Event::HeadingLost,
+            ) => mode,
             (_, Event::HeadingLost) => Self::RudderHold(RudderHold { order: facts.order }),
             (_, Event::Auto) => Self::Auto(Auto::on(facts.heading)),
             (Self::Auto(auto), Event::SetHeading(set)) => Self::Auto(Auto {
@@ -78,11 +96,36 @@ impl Mode {
                 ..auto
             }),
             (
-                Self::Auto(_) | Self::AutonavTn(_) | Self::AutonavTi(_),
+                Self::Auto(_) | Self::AutonavTn(_) | Self::AutonavTi(_) | Self::Dodge(_),
                 Event::EngageTn { hts, track, rate },
             ) => Self::AutonavTn(AutonavTn::on(facts.now, *hts, *track, *rate)),
-            (Self::Auto(_) | Self::AutonavTn(_), Event::EngageTi { path, radius }) => {
-                Self::AutonavTi(AutonavTi::on(facts.now, *path, Some(*radius)))
+            (
+                Self::Auto(_) | Self::AutonavTn(_) | Self::Dodge(_),
+                Event::EngageTi { path, radius },
+            ) => Self::AutonavTi(AutonavTi::on(facts.now, *path, Some(*radius))),
+            (_, Event::RiverPilot) => Self::RiverPilot(RiverPilot::default()),
+            (_, Event::FfuOverride(rudder)) => Self::FfuOverride(FfuOverride { rudder: *rudder }),
+            (
+                _,
+                Event::WindVane {
+                    angle,
+                    apparent,
+                    direction,
+                },
+            ) => Self::WindVane(WindVane {
+                angle: *angle,
+                apparent: *apparent,
+                direction: *direction,
+            }),
+            (
+                Self::Auto(_) | Self::AutonavTn(_) | Self::AutonavTi(_) | Self::WindVane(_),
+                Event::Dodge { base, former },
+            ) => Self::Dodge(Dodge::on(*base, *former)),
+            (Self::Auto(auto), Event::Autotuning) => {
+                Self::Autotuning(Autotuning::on(facts.now, auto.set))
+            }
+            (Self::WindVane(_) | Self::Dodge(_) | Self::Autotuning(_), Event::AutoOn(set)) => {
+                Self::Auto(Auto::on(*set))
             }
             (mode @ (Self::AutonavTi(_) | Self::AutonavTn(_)), Event::TrackFail(cause)) => {
                 Self::Auto(mode.fall_back(cause, facts))
@@ -90,6 +133,9 @@ impl Mode {
             // Nothing else changes a mode: a heading is set in AUTO only, a track fails in AutoNAV only.
             (mode, Event::SetHeading(_) | Event::TrackFail(_)) => mode,
             (mode, Event::EngageTn { .. } | Event::EngageTi { .. }) => mode,
+            // The operator's modes are entered and left from where the table says.
+            (mode, Event::Dodge { .. } | Event::AutoOn(_)) => mode,
+            (mode, Event::Installation | Event::Autotuning) => mode,
         }
     }
 
@@ -120,6 +166,12 @@ impl Mode {
     #[must_use]
     pub const fn title(&self) -> &'static str {
         self.row().title
+    }
+
+    /// What is set in it by a number, in the unit of its order; absent in a mode where a heading or nothing is set.
+    #[must_use]
+    pub fn set_value(&self) -> Option<f64> {
+        self.state().set_value()
     }
 
     /// Whether the chart system controls.

@@ -7,6 +7,8 @@ pub(in super::super) enum Lost {
     AtEntry,
     /// The rudder is held.
     RudderHold,
+    /// AUTO holds the present heading, alarm.
+    Auto,
     /// The next command of the chart system is not followed, and that is said.
     NotFollowed,
     /// What the mode's row says, as soon as it is older than `track_fail`; by this name.
@@ -50,7 +52,12 @@ needs! {
     TrueHeading: Lost::AtEntry, "the heading is magnetic, and no variation is known", "A heading of true north (AP-10).";
     NoOverride: Lost::AtEntry, "override is in use", "The chart system reports no override (HTC-1).";
     LegKnown: Lost::AtEntry, "not in the middle of a turn: the leg before it is unknown", "No radius is commanded: situations 3 and 4 cannot be entered.";
+    InStandby: Lost::AtEntry, "INSTALLATION is selected from STANDBY only", "STANDBY is on.";
+    AutoSteers: Lost::AtEntry, "AUTOTUNING is selected from AUTO only", "AUTO holds its heading, and finishes no turn.";
+    SteadySpeed: Lost::AtEntry, "the speed has not been steady for 30 s", "The measured speed was within half a knot for 30 s.";
+    Dodgeable: Lost::AtEntry, "DODGE is selected from AUTO, AutoNAV or WIND VANE only", "A mode to return to.";
     Heading: Lost::RudderHold, "no heading", "A heading that is believed.";
+    Wind: Lost::Auto, "no wind is heard", "MWV, VWR or VWT of the wind that is set: apparent or true.";
     MeasuredSpeed: Lost::NotFollowed, "no measured speed", "A speed through the water or over ground; the set cruise speed where it is lost (FA10).";
     Command: Lost::Watched("HTC"), "no valid HTC", "An accepted HTC for this mode.";
     ShipConstants: Lost::NotFollowed, "the ship's constants are not given: no track control (AP-20)", "The ship's own constants.";

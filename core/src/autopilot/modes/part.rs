@@ -4,6 +4,8 @@ use super::event::Event;
 use super::mode::Mode;
 use super::need::Need;
 use super::off_heading::OffHeading;
+use super::steady_speed::SteadySpeed;
+use super::table::ModeName;
 use crate::autopilot::facts::{Facts, Outlook};
 use crate::autopilot::remote::{Positions, Remote};
 use crate::autopilot::steering::Demand;
@@ -23,6 +25,7 @@ pub(in super::super) struct Modes {
     pub(super) remote: Remote,
     pub(super) positions: Positions,
     pub(super) off_heading: OffHeading,
+    pub(super) speed: SteadySpeed,
 }
 
 impl Modes {
@@ -34,6 +37,7 @@ impl Modes {
             remote: Remote::default(),
             positions: Positions::default(),
             off_heading: OffHeading::default(),
+            speed: SteadySpeed::default(),
         }
     }
 
@@ -52,9 +56,27 @@ impl Modes {
         self.why = why.into();
     }
 
+    /// Whether the rudder is held, until the operator ends it (FA7).
+    pub(in super::super) const fn holds_the_rudder(&self) -> bool {
+        matches!(self.mode, Mode::RudderHold(_))
+    }
+
     /// Whether the mode steers by a heading.
-    pub(in super::super) fn steers(&self) -> bool {
+    pub(super) fn steers_by_heading(&self) -> bool {
         self.mode.row().needs(Need::Heading)
+    }
+
+    /// Whether the mode asks for a rudder, by a heading or not.
+    pub(in super::super) fn steers(&self) -> bool {
+        self.gives_orders() && !self.holds_the_rudder()
+    }
+
+    /// The unit of the autopilot that reports (ALA 4: 00 standby, 01 autopilot, 03 installation).
+    pub(in super::super) fn unit(&self) -> u32 {
+        match self.mode.name() {
+            ModeName::Installation => 3,
+            _ => u32::from(self.gives_orders()),
+        }
     }
 
     /// Whether the chart system commands.
@@ -135,7 +157,7 @@ impl Modes {
         let mut htd = Htd {
             override_status: Some(OverrideStatus::NotInUse),
             rudder_angle: self.order(facts.order).map(RudderAngle::deg),
-            steering_mode: Some(row.htd),
+            steering_mode: row.htd,
             reference: Some(if outlook.sight.is_magnetic() {
                 Reference::Magnetic
             } else {

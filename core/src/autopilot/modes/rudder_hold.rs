@@ -3,6 +3,7 @@
 use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
 use crate::nmea::SteeringMode;
+use crate::settings::Role;
 use crate::units::RudderAngle;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
@@ -19,11 +20,12 @@ impl Listed for RudderHold {
         name: ModeName::RudderHold,
         title: "RUDDER HOLD",
         what: "The rudder is held as it was when the heading was lost; only the operator ends it.",
+        role: Role::Operator,
         entry: &[],
         needs: &[],
         on_loss: OnLoss::Nothing,
         limit: Limit::Max,
-        htd: SteeringMode::RudderControl,
+        htd: Some(SteeringMode::RudderControl),
         commanded: None,
         steers: "rudder held, steer by hand",
     };

@@ -3,6 +3,7 @@
 use super::event::Event;
 use super::mode::{Mode, row};
 use super::need::Need;
+use super::ordered::ANSWERED;
 use super::part::Modes;
 use super::table::ModeName;
 use crate::alerts::Alert;
@@ -28,14 +29,15 @@ impl Modes {
     ) -> Result<String, Refusal> {
         match request {
             ModeRequest::Standby => {
-                notices.rectify(Alert::HeadingLost);
-                notices.rectify(Alert::Override);
+                for over in [Alert::HeadingLost, Alert::Override, Alert::WindLost] {
+                    notices.rectify(over);
+                }
                 self.apply(&outlook.facts, &Event::Standby, "operator selected STANDBY");
                 Ok("STANDBY".into())
             }
             ModeRequest::Auto => {
                 self.may_select(outlook, request)?;
-                for over in [Alert::HeadingLost, Alert::TrackFail, Alert::Override] {
+                for over in ANSWERED {
                     notices.rectify(over);
                 }
                 self.apply(&outlook.facts, &Event::Auto, "operator selected AUTO");
@@ -47,14 +49,19 @@ impl Modes {
                 Ok(format!("AUTO on {heading:05.1}"))
             }
             ModeRequest::Autonav => self.request_autonav(outlook),
-            ModeRequest::Cancel => {
+            ModeRequest::Cancel => Ok(self.release(outlook).unwrap_or_else(|| {
                 self.mode.select(None);
-                Ok("AutoNAV selection withdrawn".into())
-            }
+                "AutoNAV selection withdrawn".into()
+            })),
+            ModeRequest::Dodge => match self.release(outlook) {
+                Some(released) => Ok(released),
+                None => self.enter(outlook, request, notices),
+            },
             ModeRequest::Track => {
                 self.may_select(outlook, request)?;
                 Ok("TRACK".into())
             }
+            _ => self.enter(outlook, request, notices),
         }
     }
 

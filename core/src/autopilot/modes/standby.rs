@@ -3,6 +3,7 @@
 use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
 use crate::nmea::SteeringMode;
+use crate::settings::Role;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -15,11 +16,12 @@ impl Listed for Standby {
         name: ModeName::Standby,
         title: "STANDBY",
         what: "The autopilot gives no orders; the ship is steered by hand.",
+        role: Role::Operator,
         entry: &[],
         needs: &[],
         on_loss: OnLoss::Nothing,
         limit: Limit::NoOrders,
-        htd: SteeringMode::Manual,
+        htd: Some(SteeringMode::Manual),
         commanded: None,
         steers: "STANDBY, steer by hand",
     };

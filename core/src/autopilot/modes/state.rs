@@ -1,6 +1,9 @@
 //! What every mode is to the autopilot: a row of the table, a demand, a report, and what it does with commands and places.
 
+use super::former::Former;
+use super::set_value::SetValue;
 use super::table::Row;
+use crate::alerts::Alert;
 use crate::autopilot::facts::{Facts, Outlook};
 use crate::autopilot::remote::Charted;
 use crate::autopilot::steering::Demand;
@@ -15,6 +18,16 @@ use alloc::vec::Vec;
 
 /// The plane is laid anew so far from where it touches, metres.
 pub(super) const PLANE_M: f64 = 10_000.0;
+
+/// A mode is over: AUTO goes on.
+pub(in super::super) struct Ended {
+    /// On this heading.
+    pub(super) set: Heading,
+    /// Why, in an officer's words.
+    pub(super) why: String,
+    /// What is raised.
+    pub(super) alert: Option<Alert>,
+}
 
 /// What is fixed of each mode.
 pub(super) trait Listed: Sized {
@@ -40,6 +53,26 @@ pub(in super::super) trait State {
 
     /// Adds what HTD says of this mode alone.
     fn htd(&self, _: &Facts<'_>, _: &mut Htd) {}
+
+    /// Sets what the operator sets in this mode, or says where that is set.
+    fn set(&mut self, _: &Facts<'_>, set: SetValue) -> Result<String, Refusal> {
+        Err(set.refused())
+    }
+
+    /// What is set in it by a number, in the unit of its order; absent in a mode where a heading or nothing is set.
+    fn set_value(&self) -> Option<f64> {
+        None
+    }
+
+    /// What DODGE returns to from here; absent where it is not selected.
+    fn former(&self) -> Option<Former> {
+        None
+    }
+
+    /// Takes what is heard, once a step; what ends the mode.
+    fn watch(&mut self, _: &Outlook<'_>) -> Option<Ended> {
+        None
+    }
 
     /// What TRACK FAIL tells the officer of who steers now.
     fn steers(&self, row: &Row) -> &'static str {

@@ -34,7 +34,7 @@ impl Modes {
         heard: bool,
         notices: &mut Notices,
     ) {
-        if self.steers() {
+        if self.steers_by_heading() {
             let why = if heard {
                 "the heading jumped: rudder held"
             } else {
@@ -43,11 +43,6 @@ impl Modes {
             notices.raise(Alert::HeadingLost, "");
             self.apply(&outlook.facts, &Event::HeadingLost, why);
         }
-    }
-
-    /// Whether the rudder is held, until the operator ends it (FA7).
-    pub(in super::super) const fn holds_the_rudder(&self) -> bool {
-        matches!(self.mode, Mode::RudderHold(_))
     }
 
     /// FA9: the position in use jumped.
@@ -64,6 +59,7 @@ impl Modes {
 
     /// Once a step: the pending selection, the ages of what is followed, the path.
     pub(in super::super) fn supervise(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
+        self.watch_mode(outlook, notices);
         self.try_engage(outlook, notices);
         self.name_stop(outlook, notices);
         let (now, settings) = (outlook.facts.now, outlook.facts.settings);
@@ -98,6 +94,20 @@ impl Modes {
         });
         notices.tell(Alert::TrackDataLate, late);
         self.watch_track(outlook, notices);
+    }
+
+    /// What the mode needs besides a heading and the chart system is lost, or what it does is done: AUTO goes on.
+    fn watch_mode(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
+        let speed = outlook.sight.measured_speed();
+        self.speed.look(outlook.facts.now, speed);
+        if let Some(ended) = self.mode.state_mut().watch(outlook) {
+            if let Some(alert) = ended.alert {
+                notices.raise(alert, ended.why.clone());
+            }
+            self.apply(&outlook.facts, &Event::AutoOn(ended.set), &ended.why);
+        } else if self.has(outlook, Need::Wind, self.mode.name()) {
+            notices.rectify(Alert::WindLost);
+        }
     }
 
     /// The mode goes by what is commanded, or says what does not agree.
@@ -170,7 +180,7 @@ impl Modes {
                 age: (self.last(outlook, *need))
                     .map_or(f64::MAX, |at| now.since(at) as f64 / 1000.0),
             }),
-            Lost::AtEntry | Lost::RudderHold | Lost::NotFollowed => None,
+            Lost::AtEntry | Lost::RudderHold | Lost::Auto | Lost::NotFollowed => None,
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::need::Need;
 use crate::nmea::SteeringMode;
-use crate::settings::Settings;
+use crate::settings::{Role, Settings};
 use serde::{Deserialize, Serialize};
 
 /// The autopilot's mode as it is shown.
@@ -23,6 +23,18 @@ pub enum ModeName {
     Track,
     /// Rudder frozen after a critical failure.
     RudderHold,
+    /// The angle to the wind is held.
+    WindVane,
+    /// The rate of turn is held.
+    RiverPilot,
+    /// Round something, and back.
+    Dodge,
+    /// The rudder is ordered.
+    FfuOverride,
+    /// Being installed.
+    Installation,
+    /// A bounded zigzag.
+    Autotuning,
 }
 
 /// What is fixed of a mode.
@@ -34,6 +46,8 @@ pub(in super::super) struct Row {
     pub(in super::super) title: &'static str,
     /// What it does.
     pub(in super::super) what: &'static str,
+    /// Who selects it.
+    pub(in super::super) role: Role,
     /// What the selection is refused without, at once.
     pub(in super::super) entry: &'static [Need],
     /// What it cannot do without: a selection waits for it, supervision watches it.
@@ -42,8 +56,8 @@ pub(in super::super) struct Row {
     pub(in super::super) on_loss: OnLoss,
     /// How far the rudder may go.
     pub(in super::super) limit: Limit,
-    /// Steering mode that HTD says (AP-1).
-    pub(in super::super) htd: SteeringMode,
+    /// Steering mode that HTD says (AP-1); none where that is null.
+    pub(in super::super) htd: Option<SteeringMode>,
     /// Why it is on, where the chart system commands it; absent where it does not.
     pub(in super::super) commanded: Option<&'static str>,
     /// What TRACK FAIL tells the officer of who steers now.
@@ -57,6 +71,8 @@ pub(in super::super) enum OnLoss {
     Nothing,
     /// The rudder is held as it is.
     RudderHold,
+    /// AUTO holds the present heading, with an alarm.
+    Auto,
     /// TRACK FAIL: AUTO holds the heading, or finishes the turn (TCS-8).
     TrackFail,
 }

@@ -14,6 +14,7 @@ mod rate;
 mod sighted;
 mod source;
 mod speed;
+mod wind;
 
 use super::notices::Notice;
 use super::steering::Measured;
@@ -37,6 +38,7 @@ pub(super) use sighted::Sighted;
 use source::Preferred;
 pub use source::Refused;
 use speed::{Measure, SpeedGuard};
+use wind::Winds;
 
 /// A rudder response that is off its order by more is no measure of the rudder that acts: the gear does not follow, or its
 /// feedback lies, and the gear says so (FA11).
@@ -50,6 +52,7 @@ pub(super) struct Sight {
     preferred: [Preferred; 3],
     positions: PositionGuard,
     speeds: SpeedGuard,
+    winds: Winds,
 }
 
 impl Sight {
@@ -70,6 +73,7 @@ impl Sight {
         self.look_at_positions(seen, settings, free, &mut sighted);
         self.watch_sources(seen, free, &mut sighted);
         self.look_at_speeds(seen, settings, free, &mut sighted);
+        self.winds.look(seen, self.headings.heading, settings);
         sighted
     }
 
@@ -261,6 +265,17 @@ impl Sight {
     pub(super) fn speed(&self, settings: &Settings) -> Speed {
         let cruise = Speed::from_knots(settings.cruise_speed);
         self.speeds.for_gains().unwrap_or(cruise)
+    }
+
+    /// The measured speed that is believed, however low.
+    pub(super) const fn measured_speed(&self) -> Option<Speed> {
+        self.speeds.measured()
+    }
+
+    /// Where the wind comes from, low-passed, in the north of the headings: the apparent one, else the true one; absent
+    /// where it is not heard.
+    pub(super) const fn wind(&self, apparent: bool) -> Option<Heading> {
+        self.winds.direction(apparent)
     }
 
     /// Whether headings are of magnetic north: no variation is known (AP-10).

@@ -10,6 +10,7 @@
 //! `delta_ss` is learned by the integral; it is held in turns and runs back while the order is cut (3.3).
 
 use super::angle::wrap;
+use super::observer::Motion;
 use super::settings::{ShipAtSpeed, SteeringSettings};
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +23,15 @@ pub(super) struct ReferenceModel {
 }
 
 impl ReferenceModel {
+    /// As the ship moves now.
+    pub(super) const fn of(motion: &Motion) -> Self {
+        Self {
+            heading: motion.heading,
+            rate: motion.rate,
+            acceleration: 0.0,
+        }
+    }
+
     /// Moves towards `set` at no more than `rate` and `acceleration`, without overshoot.
     pub(super) fn step(&mut self, set: f64, rate: f64, acceleration: f64, dt: f64) {
         let left = wrap(set - self.heading);
@@ -55,9 +65,9 @@ impl ReferenceModel {
 /// Time constant of the last degrees, s.
 const SETTLE: f64 = 10.0;
 /// Time in which the rate follows the profile, s.
-const PULL: f64 = 3.0;
+pub(super) const PULL: f64 = 3.0;
 /// Time in which the acceleration rises to its full value, s.
-const RISE: f64 = 4.0;
+pub(super) const RISE: f64 = 4.0;
 
 /// The regulator's integral.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

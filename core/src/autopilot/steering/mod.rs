@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! Demand::Track -> track.rs --+                       observer.rs: heading and rate without the waves
-//!                             +-> heading.rs -> the rudder that is wanted
+//! Demand::Rate --> rate.rs ---+-> heading.rs -> the rudder that is wanted
 //! Demand::Heading ------------+                       reckoning.rs: position and current
+//! Demand::Rudder -----------------------------> the rudder that is wanted
 //! ```
 //! In: heading, rate, rudder, speeds, position, and what the gear gave last. Out: the wanted rudder with its terms, which
 //! the gear limits. Absent on purpose: modes, alarms, ages (a value that is too old is absent here).
@@ -12,6 +13,7 @@ mod angle;
 mod heading;
 mod measured;
 mod observer;
+mod rate;
 mod reckoning;
 mod settings;
 mod ship;
@@ -52,6 +54,10 @@ pub enum Demand {
     },
     /// Sail along a path. Without a position the present heading reference is kept.
     Track(Path),
+    /// Turn at a rate, starboard positive; at none, hold the heading that she has then.
+    Rate(RateOfTurn),
+    /// This rudder. It needs no heading.
+    Rudder(RudderAngle),
 }
 
 /// What moves the rudder, degrees, starboard positive.
@@ -74,7 +80,9 @@ pub struct Wanted {
     pub rudder: RudderAngle,
     /// The law is another one than before: the order is to join it without a bump (FA6).
     pub joins: bool,
-    /// The heading that is steered now.
+    /// The rudder itself is ordered: nothing of a former law is carried over into it.
+    pub ordered: bool,
+    /// The heading that is steered now; the last one where a rudder is ordered without a heading.
     pub hts: Heading,
     /// The rate of turn that is steered now.
     pub rate_reference: RateOfTurn,
@@ -98,10 +106,14 @@ pub struct Given {
 enum Law {
     Heading,
     Track,
+    Rate,
+    Rudder,
 }
 
 /// Part of the rudder limit that a heading change is planned with.
 const RUDDER_SHARE: f64 = 0.7;
+/// Part of the rudder limit that an ordered rate of turn is held with.
+const RATE_SHARE: f64 = 0.9;
 
 /// The steering: settings, and all state of the laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -198,6 +210,7 @@ impl Steering {
             dt,
         );
         let sailing = self.ground.step(m, &motion, surge, settings, dt);
+        let acceleration = settings.turn_acceleration.to_radians() * ship.ratio * ship.ratio;
         let limit = rudder_limit.deg().min(self.settings.rudder_max.deg());
         let (mut cross_track, mut joins) = (None, false);
         match (demand, sailing.position) {
@@ -213,11 +226,7 @@ impl Steering {
             (Demand::Heading { set, by }, _) => {
                 joins = self.change_law(Law::Heading);
                 if joins {
-                    self.reference = heading::ReferenceModel {
-                        heading: motion.heading,
-                        rate: motion.rate,
-                        acceleration: 0.0,
-                    };
+                    self.reference = heading::ReferenceModel::of(&motion);
                 }
                 let over_ground = m.ground.map_or(surge, |(_, speed)| speed.mps());
                 let rate = match by {
@@ -229,9 +238,23 @@ impl Steering {
                 let side = wrap(set.rad() - self.reference.heading);
                 let rudder = libm::copysign(RUDDER_SHARE * limit.to_radians(), side);
                 let rate = libm::fabs(rate).min(ship.steady_rate(rudder));
-                let acceleration = self.settings.turn_acceleration.to_radians();
-                let most = acceleration * ship.ratio * ship.ratio;
-                self.reference.step(wrap(set.rad()), rate, most, dt);
+                self.reference.step(wrap(set.rad()), rate, acceleration, dt);
+            }
+            (Demand::Rate(rate), _) => {
+                joins = self.change_law(Law::Rate);
+                if joins {
+                    self.reference = heading::ReferenceModel::of(&motion);
+                }
+                let rate = rate.rad_per_s();
+                let rudder = libm::copysign(RATE_SHARE * limit.to_radians(), rate);
+                let most = ship.steady_rate(rudder);
+                self.reference
+                    .turn(rate.clamp(-most, most), acceleration, motion.heading, dt);
+            }
+            (Demand::Rudder(angle), _) => {
+                self.change_law(Law::Rudder);
+                self.reference = heading::ReferenceModel::of(&motion);
+                return self.ordered(*angle);
             }
             (Demand::Track(_), None) => self.reference.acceleration = 0.0,
         }
@@ -245,6 +268,7 @@ impl Steering {
         Wanted {
             rudder: RudderAngle::from_deg(terms.sum().to_degrees()),
             joins,
+            ordered: false,
             hts: Heading::from_rad(self.reference.heading),
             rate_reference: RateOfTurn::from_rad_per_s(self.reference.rate),
             cross_track,
@@ -253,6 +277,32 @@ impl Steering {
                 integral: terms.integral.to_degrees(),
                 rate: terms.rate.to_degrees(),
                 feedforward: terms.feedforward.to_degrees(),
+            },
+        }
+    }
+
+    /// A rudder is ordered and there is no heading: what is estimated by one begins anew when it is back.
+    pub fn without_heading(&mut self, rudder: RudderAngle) -> Wanted {
+        self.change_law(Law::Rudder);
+        self.observer = observer::Observer::new();
+        self.ground = reckoning::Reckoning::default();
+        self.ordered(rudder)
+    }
+
+    /// The rudder as it is ordered.
+    fn ordered(&self, rudder: RudderAngle) -> Wanted {
+        Wanted {
+            rudder,
+            joins: false,
+            ordered: true,
+            hts: Heading::from_rad(self.reference.heading),
+            rate_reference: RateOfTurn::from_rad_per_s(self.reference.rate),
+            cross_track: None,
+            terms: Terms {
+                proportional: 0.0,
+                integral: 0.0,
+                rate: 0.0,
+                feedforward: rudder.deg(),
             },
         }
     }

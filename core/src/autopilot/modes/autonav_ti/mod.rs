@@ -5,6 +5,7 @@
 mod followed;
 mod lay;
 
+use super::former::Former;
 use super::need::{ENTRY, Need};
 use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
@@ -15,6 +16,7 @@ use crate::command::Remote;
 use crate::geo::Point;
 use crate::nmea::{Htd, SteeringMode, TurnMode};
 use crate::path::Path;
+use crate::settings::Role;
 use crate::time::Stamp;
 use crate::units::{Course, Heading, Radius};
 use alloc::string::String;
@@ -29,6 +31,7 @@ impl Listed for AutonavTi {
         name: ModeName::AutonavTi,
         title: "AutoNAV Ti",
         what: "Track control: leg and arc of HTC mode T, XTE and PNEY are sailed along, corrected for current and offset.",
+        role: Role::Operator,
         entry: ENTRY,
         needs: &[
             Need::Heading,
@@ -45,7 +48,7 @@ impl Listed for AutonavTi {
         ],
         on_loss: OnLoss::TrackFail,
         limit: Limit::Max,
-        htd: SteeringMode::TrackControl,
+        htd: Some(SteeringMode::TrackControl),
         commanded: Some("track controlled by the chart system"),
         steers: "",
     };
@@ -82,6 +85,10 @@ impl State for AutonavTi {
             Some(steered) => steered.hts,
             None => self.path.course_in.as_heading(),
         })
+    }
+
+    fn former(&self) -> Option<Former> {
+        Some(Former::Autonav)
     }
 
     fn htd(&self, facts: &Facts<'_>, htd: &mut Htd) {
