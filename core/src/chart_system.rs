@@ -15,6 +15,7 @@ mod followed;
 mod indications;
 mod place;
 mod position;
+mod reckoning;
 mod run;
 mod sentences;
 mod sight;

@@ -130,6 +130,8 @@ alerts! {
     AutopilotLeft = 208, Alarm, B, "AUTOPILOT LEFT", "The autopilot has left the chart system's control. Check who steers";
     /// TCS-13: the other side's heartbeat is not heard any more.
     ChartHeartbeatLost = 209, Warning, B, "HEARTBEAT LOST", "No heartbeat is heard any more. Check alert management and line";
+    /// TCS-14: control goes on by dead reckoning; said anew each two minutes.
+    ManualSteering = 210, Alarm, B, "MANUAL STEERING", "Control goes on by dead reckoning. Use manual steering";
 }
 
 /// Proprietary alerts have identifiers from here on (IEC 61162-1 ALF; F2: 10001 to 10999).

@@ -23,6 +23,8 @@ pub struct ChartConfig {
     pub soon_s: f64,
     /// An EVE leaves for bridge alert management with each order of an officer (TCS-13).
     pub eve: bool,
+    /// Without a position control goes on by dead reckoning for a while (TCS-14).
+    pub dead_reckoning: bool,
     /// Largest cross-track distance at which control may begin.
     pub begin_cross_track: Distance,
     /// Largest difference of heading and track at which control may begin, degrees.
@@ -54,6 +56,7 @@ impl Default for ChartConfig {
             early_s: 180.0,
             soon_s: 30.0,
             eve: false,
+            dead_reckoning: false,
             begin_cross_track: Distance::from_nm(0.5),
             begin_angle_deg: 90.0,
             conning_offset_m: [0.0, 0.0],

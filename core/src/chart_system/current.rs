@@ -34,6 +34,11 @@ impl Current {
         });
     }
 
+    /// Where a second of it carries the ship, metres.
+    pub(super) fn mps(&self) -> Point {
+        self.estimate.unwrap_or_default()
+    }
+
     /// Degrees to add to a course so that the ship makes it good.
     pub(super) fn crab_deg(&self, course: Course, water: Speed) -> f64 {
         let Some(current) = self.estimate else {

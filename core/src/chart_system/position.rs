@@ -58,8 +58,15 @@ impl ChartSystem {
         Some((fix.position.moved(by), age))
     }
 
-    /// The conning position at the moment of sending; none once the last fix is older than 5 s.
+    /// The conning position at the moment of sending, by dead reckoning where that goes on (TCS-14); else none once the last
+    /// fix is older than 5 s.
     pub(super) fn here(&self, now: Stamp) -> Option<Here> {
+        self.fixed_here(now)
+            .or_else(|| Some(self.reckoning.as_ref()?.here(now)))
+    }
+
+    /// The conning position by the receiver.
+    pub(super) fn fixed_here(&self, now: Stamp) -> Option<Here> {
         let (antenna, age) = self.reckoned(now)?;
         let limit = if self.ground_at(now).is_some() {
             limits(Quantity::Position).1
@@ -90,8 +97,13 @@ impl ChartSystem {
         })
     }
 
-    /// Course and speed over ground, at most 5 s old.
+    /// Course and speed over ground, at most 5 s old, or by dead reckoning (TCS-14).
     pub(super) fn ground_at(&self, now: Stamp) -> Option<OverGround> {
+        let reckoned = || Some(self.reckoning.as_ref()?.over_ground());
+        self.fixed_ground(now).or_else(reckoned)
+    }
+
+    fn fixed_ground(&self, now: Stamp) -> Option<OverGround> {
         let heard = self.post.picture.ground(now);
         let ground = self.post.fresh(heard, Quantity::Ground, now)?;
         let still = ground.speed.knots() < STILL_KNOTS;

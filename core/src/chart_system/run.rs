@@ -20,6 +20,7 @@ impl ChartSystem {
             Input::Stalled { .. } => {
                 self.post.stalled(now);
                 self.guard.forget();
+                self.stop_reckoning(now);
                 self.followed.stalled(now);
             }
             Input::Order { by, order } => {

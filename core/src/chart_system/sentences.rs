@@ -143,12 +143,14 @@ impl ChartSystem {
         Course::from_deg(track.deg() - cut.clamp(-LARGEST_CUT_DEG, LARGEST_CUT_DEG) + crab)
     }
 
-    /// TCS-3: an invalid position changes status and mode, the last distances stay.
+    /// TCS-3: an invalid position changes status and mode, the last distances stay. TCS-14: what is reckoned is valid and
+    /// estimated.
     fn integrity(&self, now: Stamp) -> (DataStatus, ModeIndicator) {
         let mode = self
             .here(now)
             .map_or(ModeIndicator::NotValid, |here| here.mode);
-        let status = if mode.valid() {
+        let status = if mode.valid() || mode == ModeIndicator::Estimated && self.reckoning.is_some()
+        {
             DataStatus::Valid
         } else {
             DataStatus::Invalid

@@ -16,6 +16,7 @@ impl ChartSystem {
         if self.guard.take_jump() && self.control != Commanding::Off {
             self.end_control("the position has jumped");
         }
+        self.reckon(now);
         let here = self.here(now);
         match self.control {
             Commanding::Track { .. } | Commanding::Heading { leg: None } if here.is_none() => {
@@ -94,7 +95,7 @@ impl ChartSystem {
             .progress
             .is_none_or(|progress| !progress.phase().turning());
         if let (true, Some(ground), Some(heading), Some(water)) = (
-            steady,
+            steady && self.reckoning.is_none(),
             self.ground_at(now),
             self.heading_at(now),
             self.water_at(now),

@@ -4,6 +4,7 @@ use super::config::ChartConfig;
 use super::control::{Commanding, CrossTracks, Followed};
 use super::current::Current;
 use super::place::PositionGuard;
+use super::reckoning::{Known, Reckoning};
 use super::watch::TurnIndications;
 use crate::alerts::{HeardAlert, HeardAlerts, Reports, Standing};
 use crate::picture::Picture;
@@ -26,6 +27,8 @@ pub struct ChartSystem {
     pub(super) post: Post,
     pub(super) guard: PositionGuard,
     pub(super) current: Current,
+    pub(super) known: Option<Known>,
+    pub(super) reckoning: Option<Reckoning>,
     pub(super) progress: Option<Progress>,
     /// Forwarding distance before the next turn; fixed a minute before the wheel-over line.
     pub(super) forwarding: Distance,
@@ -59,6 +62,8 @@ impl ChartSystem {
             heard: HeardAlerts::default(),
             guard: PositionGuard::default(),
             current: Current::default(),
+            known: None,
+            reckoning: None,
             progress: None,
             forwarding: Distance::default(),
             control: Commanding::Off,

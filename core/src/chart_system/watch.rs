@@ -24,6 +24,7 @@ impl TurnIndications {
             Alert::CrossTrack,
             Alert::ChartPositionLost,
             Alert::AutopilotLeft,
+            Alert::ManualSteering,
         ] {
             self.alerts.end(now, alert);
         }

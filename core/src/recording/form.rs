@@ -85,6 +85,7 @@ form!(Chart of ChartConfig {
     early_s: f64 = early_s;
     soon_s: f64 = soon_s;
     eve: bool = eve;
+    dead_reckoning: bool = dead_reckoning;
     begin_cross_track_m: Distance = begin_cross_track;
     begin_angle_deg: f64 = begin_angle_deg;
     conning_offset_m: [f64; 2] = conning_offset_m;

@@ -28,6 +28,16 @@ impl Leg {
         }
     }
 
+    /// Half its corridor, the smaller side.
+    #[must_use]
+    pub fn corridor(&self) -> Distance {
+        if self.limit_port < self.limit_starboard {
+            self.limit_port
+        } else {
+            self.limit_starboard
+        }
+    }
+
     /// Where it begins.
     #[must_use]
     pub const fn from(&self) -> Position {

@@ -17,6 +17,8 @@ pub(crate) struct Chart {
     pub(crate) soon_s: f64,
     /// An EVE leaves the port `bams` with each order of an officer (TCS-13).
     pub(crate) eve: bool,
+    /// Without a position control goes on by dead reckoning for a while (TCS-14).
+    pub(crate) dead_reckoning: bool,
 }
 
 impl Default for Chart {
@@ -25,6 +27,7 @@ impl Default for Chart {
             early_s: 180.0,
             soon_s: 30.0,
             eve: false,
+            dead_reckoning: false,
         }
     }
 }

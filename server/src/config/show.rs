@@ -61,7 +61,8 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
 fn chart(config: &Config, out: &mut String) -> std::fmt::Result {
     let chart = &config.chart;
     writeln!(out, "\n[chart_system]\nearly_s = {:?}", chart.early_s)?;
-    writeln!(out, "soon_s = {:?}\neve = {}", chart.soon_s, chart.eve)
+    writeln!(out, "soon_s = {:?}\neve = {}", chart.soon_s, chart.eve)?;
+    writeln!(out, "dead_reckoning = {}", chart.dead_reckoning)
 }
 
 fn settings(config: &Config, out: &mut String) -> std::fmt::Result {

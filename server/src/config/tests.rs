@@ -325,14 +325,12 @@ fn the_chart_system_side_has_its_own_times_and_what_it_tells() {
     let with = |text: &str| format!("roles = [\"chart_system\"]\n[chart_system]\n{text}\n");
     let config = from_text(
         "w.toml",
-        &with("early_s = 240\nsoon_s = 45\neve = true"),
+        &with("early_s = 240\nsoon_s = 45\neve = true\ndead_reckoning = true"),
         None,
     );
     let chart = config.unwrap().voyage().chart;
-    assert_eq!(
-        (chart.early_s, chart.soon_s, chart.eve),
-        (240.0, 45.0, true)
-    );
+    assert_eq!((chart.early_s, chart.soon_s), (240.0, 45.0));
+    assert!(chart.eve && chart.dead_reckoning);
     check(&with("early_s = 59"), 2, &["early_s = 59", "60 to 900 s"]);
     check(&with("soon_s = 5"), 2, &["soon_s = 5", "10 to 120 s"]);
     check(

@@ -28,6 +28,7 @@ impl Config {
             early_s: self.chart.early_s,
             soon_s: self.chart.soon_s,
             eve: self.chart.eve,
+            dead_reckoning: self.chart.dead_reckoning,
             conning_offset_m: [
                 ship.conning_forward_m - ship.antenna_forward_m,
                 ship.conning_starboard_m - ship.antenna_starboard_m,

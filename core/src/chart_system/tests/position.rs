@@ -128,3 +128,79 @@ fn damaged_lines_are_not_believed() {
     bench.second();
     assert_eq!(bench.chart.situation(), 2);
 }
+
+impl Bench {
+    /// Under track control, with dead reckoning where it is set; the receiver falls silent.
+    fn without_position(dead_reckoning: bool) -> Self {
+        let mut bench = Self::tracking();
+        bench.chart.config.dead_reckoning = dead_reckoning;
+        bench.second();
+        bench.gps = false;
+        bench
+    }
+}
+
+/// TCS-14: control goes on by dead reckoning, marked as estimated, and the helm is called for each two minutes.
+#[test]
+fn where_it_is_set_control_goes_on_by_dead_reckoning_and_says_so() {
+    let mut bench = Bench::without_position(true);
+    let (mut calls, mut before) = (0, None);
+    for second in 1..=250 {
+        let said = bench.second();
+        assert_ne!(bench.chart.situation(), 1, "{second}");
+        if second > 6 {
+            let mode = Some(ModeIndicator::Estimated);
+            assert_eq!([said.gll.mode, said.xte.mode, said.pney1.mode], [mode; 3]);
+            assert_eq!(said.xte.status, Some(DataStatus::Valid));
+            let (there, _) = bench.place();
+            let off = rhumb::between(there, said.gll.position.unwrap()).1.m();
+            let two_sigma = bench.chart.two_sigma().unwrap().m();
+            assert!(
+                off < 30.0 && (20.0..185.2).contains(&two_sigma),
+                "{second}: {off}"
+            );
+        }
+        let raised = (bench.chart.alerts().iter())
+            .find(|standing| standing.alert == crate::alerts::Alert::ManualSteering)
+            .map(|standing| standing.at);
+        calls += u32::from(raised.is_some() && raised != before);
+        before = raised;
+    }
+    assert_eq!(calls, 3, "raised, and anew after two and four minutes");
+}
+
+/// TCS-14: at the latest when two sigma exceed the corridor, control ends; without the setting after five seconds (TCS-3).
+#[test]
+fn dead_reckoning_ends_by_itself_and_is_off_unless_it_is_set() {
+    let ends = |dead_reckoning| {
+        let mut bench = Bench::without_position(dead_reckoning);
+        let ended =
+            (1..=700).find(|_| bench.second().htc.steering_mode == Some(SteeringMode::StandAlone));
+        (ended.unwrap(), bench.chart.reason())
+    };
+    let (seconds, why) = ends(true);
+    // The corridor of these legs is 185 m.
+    assert!((250..400).contains(&seconds), "{seconds}");
+    assert!(why.contains("more than the corridor"), "{why}");
+    assert_eq!(ends(false), (5, "control ended: no position".into()));
+}
+
+/// TCS-14: a position that comes back far from what was reckoned ends control.
+#[test]
+fn a_position_that_is_back_elsewhere_ends_control_and_one_at_hand_does_not() {
+    for (right, goes_on) in [(15.0, true), (400.0, false)] {
+        let mut bench = Bench::without_position(true);
+        for _ in 0..60 {
+            bench.second();
+        }
+        bench.right = right;
+        bench.gps = true;
+        bench.second();
+        let said = bench.second();
+        let controls = said.htc.steering_mode == Some(SteeringMode::TrackControl);
+        assert_eq!(controls, goes_on, "{}", bench.chart.reason());
+        assert_eq!(bench.chart.two_sigma(), None);
+        let alerts = &bench.chart.watch.alerts;
+        assert!(!alerts.raised(crate::alerts::Alert::ManualSteering));
+    }
+}
