@@ -6,6 +6,7 @@
 //!
 //! **Invariant:** situations change by geometry, never by time; no position older than 5 s is sent as valid.
 
+mod adrift;
 mod alerting;
 mod commanding;
 mod config;
