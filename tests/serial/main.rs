@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod dialogue;
+mod examples;
 mod foreign;
 mod golden;
 mod hostile;
