@@ -64,6 +64,10 @@ pub enum Profile {
     Rot,
     /// Steering gear: takes rudder orders, gives rudder angles.
     Gear,
+    /// Steering stand: who steers, by its selector and levers.
+    Stand,
+    /// Plotter: the route that TRACK follows, and what it is told.
+    Plotter,
     /// Wind sensor.
     Wind,
     /// Hand-held control unit.
@@ -76,7 +80,7 @@ pub enum Profile {
 
 impl Profile {
     /// All, in the order of the interface (section 3a).
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::Ecdis,
         Self::Gyro1,
         Self::Gyro2,
@@ -87,6 +91,8 @@ impl Profile {
         Self::Log,
         Self::Rot,
         Self::Gear,
+        Self::Stand,
+        Self::Plotter,
         Self::Wind,
         Self::Hmi,
         Self::Bams,
@@ -107,6 +113,8 @@ impl Profile {
             Self::Log => "log",
             Self::Rot => "rot",
             Self::Gear => "gear",
+            Self::Stand => "stand",
+            Self::Plotter => "plotter",
             Self::Wind => "wind",
             Self::Hmi => "hmi",
             Self::Bams => "bams",
@@ -185,8 +193,42 @@ pub enum Input<'a> {
         /// What.
         order: &'a Order,
     },
+    /// A contact that is wired to the station is so now.
+    Contact {
+        /// Which.
+        switch: Switch,
+        /// It is closed; absent where it cannot be read.
+        closed: Option<bool>,
+    },
     /// Only time has passed.
     Tick,
+}
+
+/// A contact that a station reads (AP-22).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Switch {
+    /// Closed while the hardware override steers.
+    Nfu,
+    /// Closed while the follow-up lever steers.
+    Ffu,
+    /// Closed while the mode switch stands at autopilot.
+    Autopilot,
+}
+
+impl Switch {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Nfu, Self::Ffu, Self::Autopilot];
+
+    /// Name in the configuration.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Nfu => "nfu",
+            Self::Ffu => "ffu",
+            Self::Autopilot => "autopilot",
+        }
+    }
 }
 
 /// A contact that a station closes and opens; open while it does not run.

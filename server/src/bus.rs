@@ -9,6 +9,7 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, oneshot};
+use wheelover_core::station::Switch;
 use wheelover_core::view::{Answer, Down, Hello, Line, Order, Snapshot};
 
 /// Reads of one port that may wait; each is at most 1 KiB.
@@ -32,6 +33,13 @@ pub(crate) enum Asked {
         answer: mpsc::UnboundedSender<Answer>,
         /// The client's place for it; STANDBY needs none.
         place: Option<Place>,
+    },
+    /// A contact is so now; it goes before what a line says.
+    Contact {
+        /// Which.
+        switch: Switch,
+        /// It is closed; absent where it cannot be read.
+        closed: Option<bool>,
     },
     /// A client wants to begin.
     Hello(oneshot::Sender<Hello>),
@@ -117,6 +125,12 @@ impl Inlet {
         self.heard
             .send(FromPort::Bytes { port, bytes, place })
             .is_ok()
+    }
+
+    /// Says how a contact is now.
+    pub(crate) fn contact(&self, switch: Switch, closed: Option<bool>) {
+        // Where nobody hears it any more, the server ends.
+        let _ = self.ask(Asked::Contact { switch, closed });
     }
 
     /// Says that a port came or went.

@@ -90,6 +90,8 @@ struct Thread {
     clock: Clock,
     pace: Pace,
     simulated: bool,
+    /// When the next step or snapshot is due, microseconds.
+    planned: u64,
     next_publish: u64,
     published: u64,
     presses: Presses,
@@ -109,6 +111,7 @@ impl Thread {
             pace: Pace::new(parts.voyage.rate()),
             simulated: parts.voyage.is_embedded(),
             parts,
+            planned: 0,
             next_publish: 0,
             published: 0,
             presses: Presses::default(),
@@ -125,10 +128,10 @@ impl Thread {
     fn run(mut self, queues: &Queues) -> End {
         self.tell_route();
         self.tell_settings();
-        let mut planned = self.clock.micros();
+        self.planned = self.clock.micros();
         loop {
             let wall = self.clock.micros();
-            self.note_lateness(planned, wall);
+            self.note_lateness(wall);
             self.step(wall);
             if wall >= self.next_publish {
                 self.publish(wall);
@@ -143,11 +146,11 @@ impl Thread {
             }
             self.pace
                 .change(self.clock.micros(), self.parts.voyage.rate());
-            planned = self
+            self.planned = self
                 .pace
                 .wall(self.parts.voyage.due().0)
                 .min(self.next_publish);
-            let wait = planned.saturating_sub(self.clock.micros());
+            let wait = self.planned.saturating_sub(self.clock.micros());
             self.listen(queues, Duration::from_micros(wait));
         }
     }
@@ -179,18 +182,19 @@ impl Thread {
 
     /// FA16: with real equipment the gap counts and every input has to be heard again. The embedded world
     /// stood still as long as its computer did, so that nothing in it is late; a long stop is told all the same.
-    fn note_lateness(&mut self, planned: u64, wall: u64) {
-        let late = wall.saturating_sub(planned);
+    fn note_lateness(&mut self, wall: u64) {
+        let late = wall.saturating_sub(self.planned);
         if late <= LATE {
             return;
         }
+        self.planned = wall;
         if self.simulated {
             self.pace.slip(wall, self.parts.voyage.now().0);
             if late <= LONG_STOP {
                 return;
             }
         }
-        self.happen(wall, Event::Stalled { ms: late / 1_000 });
+        self.take(wall, Event::Stalled { ms: late / 1_000 });
     }
 
     /// Runs what is due, step by step, also at sixty times real time.
@@ -243,6 +247,9 @@ impl Thread {
                 };
                 self.happen(self.clock.micros(), event);
             }
+            Asked::Contact { switch, closed } => {
+                self.happen(self.clock.micros(), Event::Contact { switch, closed });
+            }
             Asked::Hello(reply) => {
                 let mut hello = view::hello(&self.parts.voyage, env!("CARGO_PKG_VERSION"));
                 hello.ship = self.parts.ship;
@@ -280,7 +287,13 @@ impl Thread {
         drop(place);
     }
 
+    /// What happens after a stall finds the stations told of it: nothing that was missed is made up for.
     fn happen(&mut self, wall: u64, event: Event) {
+        self.note_lateness(wall);
+        self.take(wall, event);
+    }
+
+    fn take(&mut self, wall: u64, event: Event) {
         let ship = Stamp(self.pace.ship(wall)).max(self.parts.voyage.now());
         if let Some(recorder) = &mut self.parts.recorder {
             recorder.event(ship, &event);

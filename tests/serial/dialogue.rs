@@ -1,12 +1,13 @@
 //! A recorded chart-system dialogue goes in; HTD, RSA and ROR come out, also after the plug was pulled (FB8, FB9).
 
+use crate::ship::{gear, gyro};
 use crate::{autopilot, command, fields};
 use std::time::{Duration, Instant};
 use wheelover_core::view::{ModeRequest, Order};
 use wheelover_tests::page::{Page, SOON};
 use wheelover_tests::program::Program;
 use wheelover_tests::serial::{Line, Talker};
-use wheelover_tests::{data, folder, with_checksum};
+use wheelover_tests::{data, folder};
 
 /// Lines to the autopilot of a dialogue, with the tenth of a second at which each is said.
 fn recorded(name: &str) -> Vec<(u64, String)> {
@@ -28,27 +29,6 @@ fn play(line: &Line, dialogue: Vec<(u64, String)>) -> Talker {
         let now = dialogue.iter().filter(|(at, _)| *at == tick);
         now.map(|(_, line)| line.clone()).collect()
     })
-}
-
-fn gyro(line: &Line, heading: f64) -> Talker {
-    line.talk(move |_| {
-        vec![
-            with_checksum(&format!("HEHDT,{heading:06.2},T")),
-            with_checksum("HEROT,0.00,A"),
-        ]
-    })
-}
-
-/// A gear whose rudder is at once where it was ordered.
-fn gear(mut line: Line) {
-    std::thread::spawn(move || {
-        while let Some((_, order)) = line.hear(SOON) {
-            if order.starts_with("$AGROR") {
-                let angle: f64 = fields(&order)[1].parse().unwrap_or(0.0);
-                line.say(&format!("IIRSA,{angle:.2},A,,V"));
-            }
-        }
-    });
 }
 
 /// Seconds between sentences of one formatter.

@@ -8,6 +8,9 @@ mod golden;
 mod hostile;
 mod management;
 mod no_route;
+mod plotter;
+mod ship;
+mod stopped;
 mod two_programs;
 
 use std::path::Path;
@@ -25,7 +28,7 @@ fn autopilot(folder: &Path, ports: &[&str], allow_output: bool) -> String {
             "[[port]]\nname = \"{port}\"\nkind = \"serial\"\npath = \"{}\"\nbaud = 38400\n\
              profile = \"{port}\"\noutput = {}\n",
             folder.join(port).display(),
-            matches!(*port, "bams" | "ecdis" | "gear")
+            matches!(*port, "bams" | "ecdis" | "gear" | "plotter")
         );
     }
     let file = folder.join("wheelover.toml");

@@ -70,6 +70,12 @@ alerts! {
     HtcConflict = 103, Alarm, B, "HTC CONFLICT", "HTC SOURCE CONFLICT: two sources command. Silence one of them";
     /// SEN-5, TCS-4: what the chart system says is refused.
     TrackDataRefused = 104, Caution, B, "TRACK DATA REFUSED", "The chart system's command is refused. Check the chart system";
+    /// FB13: two sources say where TRACK should go.
+    ApbConflict = 105, Alarm, B, "APB CONFLICT", "APB SOURCE CONFLICT: two sources say APB. Silence one of them";
+    /// AP-14: the waypoint of TRACK is reached.
+    Arrival = 106, Caution, B, "WAYPOINT ARRIVAL", "The waypoint is reached. Check that the plotter goes on to the next";
+    /// FB13: two sources command by HSC.
+    HscConflict = 107, Alarm, B, "HSC CONFLICT", "HSC SOURCE CONFLICT: two sources command. Silence one of them";
     /// FA7: no usable heading.
     HeadingLost = 110, Alarm, B, "HEADING LOST", "No usable heading. Rudder held: steer by hand";
     /// FA8: a heading jumped and was rejected.
@@ -106,6 +112,8 @@ alerts! {
     Rudder = 130, Alarm, B, "RUDDER", "The rudder does not follow its order or has no feedback. Steer by hand";
     /// HTC-1: override reported by the chart system.
     Override = 140, Alarm, B, "OVERRIDE", "Override is in use. STANDBY: select a mode when it has ended";
+    /// AP-22: what the steering stand says cannot be read.
+    Stand = 141, Warning, B, "STEERING STAND", "The steering stand cannot be read. Check stand and line";
     /// FA16: the control loop stalled.
     Stalled = 150, Warning, B, "CONTROL STALLED", "The control loop was late. All inputs wait to be heard again";
     /// FA15: an alarm that nobody took.

@@ -11,20 +11,22 @@
 mod alerting;
 mod facts;
 pub mod gear;
+mod hears;
 mod modes;
 mod notices;
+mod plotter;
 mod readings;
 mod remote;
 mod report;
 mod sight;
+mod stand;
 pub mod steering;
 
 use crate::alerts::Alert;
-use crate::command::{Order, Refusal};
-use crate::nmea::Sentence;
-use crate::post::{self, Post, Station};
+use crate::command::{Order, Origin, Refusal};
+use crate::post::{self, Post};
 use crate::settings::Settings;
-use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
+use crate::station::{Input, Output, PortSetup, Profile, Role};
 use crate::talk::{self, SECOND_MS, When};
 use crate::time::Stamp;
 use crate::timers::Timers;
@@ -37,7 +39,8 @@ use facts::Outlook;
 use gear::{Follows, Gear};
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Autotuning, Dodge, FfuOverride, Finish, Former, Installation, Mode,
-    ModeName, RiverPilot, RudderHold, Standby, WindVane, document as modes_document, title_of,
+    ModeName, NfuOverride, RiverPilot, RudderHold, Standby, Track, WindVane,
+    document as modes_document, title_of,
 };
 use modes::{Modes, SetValue};
 use notices::{Notice, Notices};
@@ -111,7 +114,10 @@ impl Autopilot {
         self.advance(now, out);
         match input {
             Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
-            Input::Order { order, .. } => self.obey(now, order, out),
+            Input::Order { by, order } => self.obey(now, by, order, out),
+            Input::Contact { switch, closed } => self.decide(now, |modes, outlook, notices| {
+                modes.on_contact(outlook, (switch, closed), notices);
+            }),
             Input::Stalled { .. } | Input::Tick => {}
         }
     }
@@ -323,10 +329,10 @@ impl Autopilot {
     }
 
     /// Does what the operator asks, or says why not; his STANDBY is always granted (AP-6, HTC-4).
-    fn obey(&mut self, now: Stamp, order: &Order, out: &mut Vec<Output>) {
+    fn obey(&mut self, now: Stamp, by: Origin, order: &Order, out: &mut Vec<Output>) {
         let setting = self.modes.as_setting(order);
         let order = setting.as_ref().unwrap_or(order);
-        let answer = self.carry_out(now, order);
+        let answer = self.carry_out(now, by, order);
         match (&answer, order) {
             (Err(refusal), _) => self.modes.refuse(&refusal.text),
             (Ok(_), Order::Setting { key, value }) => out.push(Output::Persist {
@@ -338,7 +344,10 @@ impl Autopilot {
         out.push(Output::Answer(answer));
     }
 
-    fn carry_out(&mut self, now: Stamp, order: &Order) -> Result<String, Refusal> {
+    fn carry_out(&mut self, now: Stamp, by: Origin, order: &Order) -> Result<String, Refusal> {
+        if order.steers() {
+            self.modes.yields(now, by, order)?;
+        }
         self.decide(now, |modes, outlook, _| modes.interrupt(outlook, order))?;
         if let Some(set) = SetValue::of(order) {
             return self.decide(now, |modes, outlook, _| modes.set(outlook, set));
@@ -361,39 +370,6 @@ impl Autopilot {
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal::because("not a command to the autopilot")),
-        }
-    }
-}
-
-impl Station for Autopilot {
-    fn post(&mut self) -> &mut Post {
-        &mut self.post
-    }
-
-    fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
-        match sentence.formatter {
-            "ACK" | "ACN" | "HBT" => {
-                (self.alerts).hear(now, port, sentence, &self.post, &mut self.modes);
-            }
-            _ if self.post.ports()[port].profile != Profile::Ecdis => {}
-            "HTC" => self.decide(now, |modes, outlook, notices| {
-                modes.on_htc(outlook, port, sentence, notices);
-            }),
-            "XTE" | "PNEY,001" | "PNEY,002" => self.decide(now, |modes, outlook, _| {
-                modes.on_distance(outlook, sentence, true);
-            }),
-            _ => {}
-        }
-    }
-
-    fn refused(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
-        let profile = self.post.ports().get(port).map(|port| port.profile);
-        match (profile, sentence.formatter) {
-            (Some(Profile::Ecdis), "HTC") => self.modes.on_broken_htc(now),
-            (Some(Profile::Ecdis), _) => self.decide(now, |modes, outlook, _| {
-                modes.on_distance(outlook, sentence, false);
-            }),
-            _ => {}
         }
     }
 }

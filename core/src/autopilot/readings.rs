@@ -13,7 +13,7 @@ use crate::path::Part;
 use crate::picture::{Picture, Source};
 use crate::settings::Settings;
 use crate::time::Stamp;
-use crate::units::{Heading, RudderAngle};
+use crate::units::{Distance, Heading, RudderAngle};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -66,6 +66,13 @@ impl Autopilot {
     #[must_use]
     pub fn off_track_limit(&self, now: Stamp) -> f64 {
         self.modes.off_track_limit(&self.outlook(now))
+    }
+
+    /// Cross-track distance from what is sailed, ship right of it positive: in track control and in TRACK.
+    #[must_use]
+    pub fn cross_track(&self) -> Option<Distance> {
+        let facts = self.outlook(self.now).facts;
+        self.modes.mode().state().cross_track(&facts)
     }
 
     /// Where the ship is on the commanded path.

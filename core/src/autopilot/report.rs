@@ -1,11 +1,12 @@
-//! What the autopilot says: HTD, RSA, ROR, HDT, HMS and HMR (AP-1 to AP-5, AP-10, AP-12).
+//! What the autopilot says: HTD, RSA, ROR, HDG, HDM, HDT, HMS and HMR (AP-1 to AP-5, AP-10, AP-12).
 
 use super::facts::Outlook;
 use super::gear;
 use super::modes::Modes;
-use crate::nmea::Hdt;
+use crate::nmea::{Hdg, Hdm, Hdt};
 use crate::station::{PortIndex, Role};
 use crate::talk::{self, Row, Saying, When};
+use crate::units::Heading;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -43,6 +44,21 @@ fn line(row: &Row, modes: &Modes, outlook: &Outlook<'_>, followed: bool) -> Opti
             let source = sight.compass()?;
             let heading = Some(sight.heading()?.deg());
             Hdt { heading }.line(&source.talker)
+        }
+        // EMC-5: the compass in use, where it is a magnetic one.
+        (Saying::Hdg, None) => {
+            let (source, said) = sight.magnetic_compass(outlook.seen)?;
+            Hdg {
+                heading: Some(said.reading().deg()),
+                deviation: said.deviation(),
+                variation: sight.variation(outlook.seen, outlook.facts.settings),
+            }
+            .line(&source.talker)
+        }
+        (Saying::Hdm, None) => {
+            let (source, said) = sight.magnetic_compass(outlook.seen)?;
+            let heading = said.magnetic_heading().map(Heading::deg);
+            Hdm { heading }.line(&source.talker)
         }
         _ => return None,
     })

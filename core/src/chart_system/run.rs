@@ -29,7 +29,7 @@ impl ChartSystem {
                 }
                 out.push(Output::Answer(self.obey(now, order)));
             }
-            Input::Tick => {}
+            Input::Contact { .. } | Input::Tick => {}
         }
     }
 

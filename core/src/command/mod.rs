@@ -1,11 +1,17 @@
 //! What can be asked of the stations, and the answer: orders, refusals, answers.
 
+mod apb;
+mod hsc;
 mod htc;
+mod origin;
 mod refusal;
 
 use crate::settings::Value;
 use alloc::string::String;
+pub use apb::{Leg, Plotted, Said, apb};
+pub use hsc::hsc;
 pub use htc::{Remote, htc};
+pub use origin::{Origin, STANDBY_RANK};
 pub use refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
@@ -64,6 +70,33 @@ pub enum Order {
         /// Its new value.
         value: Value,
     },
+}
+
+impl Order {
+    /// Its rank where it comes from `by`: an operator's STANDBY goes before all but the NFU line (HTC-4).
+    #[must_use]
+    pub const fn rank(&self, by: Origin) -> u8 {
+        match self {
+            Self::Mode(ModeRequest::Standby) if by.rank() > STANDBY_RANK => STANDBY_RANK,
+            _ => by.rank(),
+        }
+    }
+
+    /// Whether it asks for another course of the ship, and so has to come from somebody who may (HTC-4).
+    #[must_use]
+    pub const fn steers(&self) -> bool {
+        !matches!(
+            self,
+            Self::Acknowledge(_)
+                | Self::Silence(_)
+                | Self::Setting { .. }
+                | Self::Speed(_)
+                | Self::Officer(_)
+                | Self::Fault { .. }
+                | Self::Current { .. }
+                | Self::Chart(_)
+        )
+    }
 }
 
 /// A mode that can be asked for.
@@ -132,16 +165,6 @@ pub enum FaultKind {
     Jump,
     /// The value stays as it is.
     Stuck,
-}
-
-/// Who asks, highest rank first (HTC-4). It stands in a recording beside each order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Origin {
-    /// An officer at a page, or a program in his place.
-    Officer,
-    /// The scripted officer of the embedded voyage.
-    Script,
 }
 
 /// What became of an order.

@@ -23,10 +23,18 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
         (_, Profile::Log) => &["VHW", "VBW"],
         (_, Profile::Rot) => &["ROT"],
         (Role::Autopilot, Profile::Gear) => &["RSA"],
+        (Role::Autopilot, Profile::Stand) => &["HTD"],
+        (Role::Autopilot, Profile::Plotter) => &[
+            "APB", "RMB", "XTE", "BWC", "BWR", "BOD", "RMC", "GLL", "VTG", "WPL", "RTE", "HSC",
+            "MWV",
+        ],
         (_, Profile::Wind) => &["MWV", "MWD", "VWR", "VWT"],
         (Role::Autopilot, Profile::Hmi) => &["PEMC"],
         (_, Profile::Bams) => &["ACN", "HBT"],
-        (_, Profile::Gear | Profile::Hmi | Profile::Monitor) => &[],
+        (
+            _,
+            Profile::Gear | Profile::Stand | Profile::Plotter | Profile::Hmi | Profile::Monitor,
+        ) => &[],
     }
 }
 
@@ -36,6 +44,15 @@ pub fn believes(station: Role, profile: Profile, formatter: &str) -> bool {
     // A page knows only some of a maker's sentences by their sub-address; the address says enough.
     let address = formatter.split(',').next().unwrap_or(formatter);
     believed(station, profile).contains(&address)
+}
+
+/// Whether what a port may say stands in the picture. A plotter's XTE belongs to its APB: it is no measure of the leg that
+/// a chart system commands, and never takes its place. HTD of a stand is not what the autopilot reports.
+pub(crate) fn is_pictured(profile: Profile, formatter: &str) -> bool {
+    !matches!(
+        (profile, formatter),
+        (Profile::Plotter, "XTE") | (Profile::Stand, "HTD")
+    )
 }
 
 /// Order of preference among sources, the best first (AP-9).
@@ -49,6 +66,7 @@ pub(crate) const fn rank(profile: Profile) -> u8 {
         Profile::Gps2 => 5,
         Profile::Magn => 6,
         Profile::Ecdis => 7,
-        Profile::Hmi | Profile::Bams | Profile::Monitor => 9,
+        Profile::Plotter => 8,
+        Profile::Stand | Profile::Hmi | Profile::Bams | Profile::Monitor => 9,
     }
 }

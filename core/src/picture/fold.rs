@@ -2,7 +2,7 @@
 
 use super::{Commanded, Heard, Picture, Source};
 use crate::facts::facts;
-use crate::facts::ports::believes;
+use crate::facts::ports::{believes, is_pictured};
 use crate::facts::read::{self, Reading};
 use crate::nmea::{self, Checksum, Definition, Htc, Sentence};
 use crate::station::{ChecksumPolicy, Direction, PortIndex, Profile};
@@ -60,7 +60,8 @@ impl Picture {
             self.counts[port].unused += 1;
             return false;
         }
-        let Some(known) = sentence.known else {
+        let pictured = is_pictured(profile, sentence.formatter);
+        let Some(known) = sentence.known.filter(|_| pictured) else {
             return true;
         };
         let clean = sentence.faults().is_empty();

@@ -2,7 +2,7 @@
 
 use crate::command::{Answer, Order, Origin};
 use crate::settings::Value;
-use crate::station::{Contact, Role};
+use crate::station::{Contact, Role, Switch};
 use crate::time::Stamp;
 use crate::voyage::{Event, Line, VoyageOutput};
 use alloc::string::String;
@@ -41,6 +41,8 @@ pub(super) enum Entry {
     Up(usize, bool),
     /// In: an order, and who gave it.
     Order { id: u64, by: Origin, order: Order },
+    /// In: a contact is so now; null where it cannot be read.
+    Switch(Switch, Option<bool>),
     /// In: the caller was late by so many milliseconds.
     Stalled(u64),
     /// In: only time has passed.
@@ -80,6 +82,7 @@ impl Entry {
             Self::Heard(port, Bytes(bytes)) => Taken::In(Event::Bytes { port, bytes }),
             Self::Up(port, up) => Taken::In(Event::PortUp { port, up }),
             Self::Order { id, by, order } => Taken::In(Event::Order { id, by, order }),
+            Self::Switch(switch, closed) => Taken::In(Event::Contact { switch, closed }),
             Self::Stalled(ms) => Taken::In(Event::Stalled { ms }),
             Self::Tick => Taken::In(Event::Tick),
             Self::OutputsBegin => Taken::OutputsBegin,
@@ -104,6 +107,7 @@ impl From<Event> for Entry {
             Event::Bytes { port, bytes } => Self::Heard(port, Bytes(bytes)),
             Event::PortUp { port, up } => Self::Up(port, up),
             Event::Order { id, by, order } => Self::Order { id, by, order },
+            Event::Contact { switch, closed } => Self::Switch(switch, closed),
             Event::Stalled { ms } => Self::Stalled(ms),
             Event::Tick => Self::Tick,
         }

@@ -90,6 +90,7 @@ settings! {
     gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
     heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
     heading_monitor_limit: number("deg", 1.0 ..= 60.0, 1, 10.0), Operator, Sensors, "Two compasses that are farther apart raise HDG DIFF; AP-10.";
+    hsc: switch(false), Engineer, ChartSystem, "HSC is a source of the heading to steer in Tn, where no HTC is heard; AP-13.";
     leg_tolerance: number("m", 10.0 ..= 1000.0, 0, 30.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
     minimum_speed: number("kn", 0.0 ..= 20.0, 1, 2.0), Engineer, Ship, "Below it the ship hardly answers her rudder: alarm, and gains of the cruise speed; FA10.";

@@ -44,7 +44,7 @@ macro_rules! sayings {
 }
 
 sayings! {
-    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Mwv mwv, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdg hdg, Hdm hdm, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Mwv mwv, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
     Xte xte,
 }
 
@@ -114,12 +114,17 @@ const ROR: Row = row(Saying::Ror, "AG", SECOND);
 const HMR: Row = row(Saying::Hmr, "AG", SECOND);
 const HMS: Row = row(Saying::Hms, "AG", When::Renewed(HMS_MS));
 /// AP-12.
-const HDT: Row = Row {
-    saying: Saying::Hdt,
-    talker: None,
-    when: SECOND,
-    of: &[],
-};
+const HDT: Row = of_its_source(Saying::Hdt);
+
+/// Passed on with the talker of its source.
+const fn of_its_source(saying: Saying) -> Row {
+    Row {
+        saying,
+        talker: None,
+        when: SECOND,
+        of: &[],
+    }
+}
 
 /// Reports of alerts by number (AP-11).
 const fn alr(talker: &'static str) -> Row {
@@ -161,6 +166,21 @@ pub static TABLE: &[Told] = &[
         station: Role::Autopilot,
         profiles: &[Profile::Monitor],
         rows: &[HTD, RSA, ROR, HDT, HMR],
+    },
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Stand],
+        rows: &[HTD],
+    },
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Plotter],
+        rows: &[
+            of_its_source(Saying::Hdg),
+            of_its_source(Saying::Hdm),
+            HDT,
+            RSA,
+        ],
     },
     Told {
         station: Role::Autopilot,

@@ -37,9 +37,7 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         by_radius: settings.steering_by == SteeringBy::Radius,
         rudder_limit: autopilot.rudder_limit(),
         rudder_order: autopilot.rudder_order().map(RudderAngle::deg),
-        cross_track: steered
-            .and_then(|steered| steered.cross_track)
-            .map(Distance::m),
+        cross_track: autopilot.cross_track().map(Distance::m),
         cross_track_limit: autopilot.off_track_limit(now),
         sources: sources(autopilot, now),
         heading: autopilot.believed_heading().map(Heading::deg),
@@ -72,6 +70,7 @@ fn closed(autopilot: &Autopilot, now: Stamp) -> Vec<(ModeRequest, String)> {
     let buttons = [
         (ModeRequest::Auto, on(ModeName::Auto)),
         (ModeRequest::Autonav, mode.is_autonav()),
+        (ModeRequest::Track, on(ModeName::Track)),
         (ModeRequest::WindVane, on(ModeName::WindVane)),
         (ModeRequest::RiverPilot, on(ModeName::RiverPilot)),
         (ModeRequest::Dodge, on(ModeName::Dodge)),

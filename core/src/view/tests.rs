@@ -302,6 +302,8 @@ fn a_mode_that_would_be_refused_is_closed_with_the_reason_of_the_refusal() {
     }
     let standby = autonav("INSTALLATION is selected from STANDBY only");
     assert_eq!(why_not(&voyage, ModeRequest::Installation), standby);
+    let no_plotter = autonav("no valid APB");
+    assert_eq!(why_not(&voyage, ModeRequest::Track), no_plotter);
     assert_eq!(why(&unfitted), not_fitted);
 }
 

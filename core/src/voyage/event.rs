@@ -3,7 +3,7 @@
 use super::line::Line;
 use crate::command::{Answer, Order, Origin};
 use crate::settings::Value;
-use crate::station::{Contact, Role};
+use crate::station::{Contact, Role, Switch};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -32,6 +32,13 @@ pub enum Event {
         by: Origin,
         /// What.
         order: Order,
+    },
+    /// A contact that is wired to the autopilot is so now.
+    Contact {
+        /// Which.
+        switch: Switch,
+        /// It is closed; absent where it cannot be read.
+        closed: Option<bool>,
     },
     /// The caller's loop was late.
     Stalled {

@@ -55,6 +55,11 @@ impl Voyage {
                     *state = up;
                 }
             }
+            Event::Contact { switch, closed } => {
+                let role = Role::Autopilot;
+                self.input(now, role, Input::Contact { switch, closed });
+                self.settle(now, role, out);
+            }
             Event::Order { id, by, order } => {
                 let answer = self.order(now, by, &order, out);
                 let (ok, text) = match answer {

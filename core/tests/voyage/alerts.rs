@@ -121,6 +121,11 @@ fn no_alert_is_left_out() {
             Alert::HeadingDifference,
             // It is off unless it is set: the chart system's tests of its position.
             Alert::ManualSteering,
+            // They take a plotter or a steering stand: `track`, `track_refused`, `heading_command` and `stand`.
+            Alert::Arrival,
+            Alert::ApbConflict,
+            Alert::HscConflict,
+            Alert::Stand,
         ])
         .collect();
     let missing: Vec<_> = Alert::ALL

@@ -90,20 +90,3 @@ fn no_wrong_count_is_obeyed() {
         refused(&[format!("${body}")]);
     }
 }
-
-// What is not built says so, whatever is heard.
-#[test]
-fn track_is_refused_as_not_built_though_apb_is_heard() {
-    let mut rig = Rig::tracking();
-    rig.command(Order::Mode(ModeRequest::Auto)).unwrap();
-    for _ in 0..3 {
-        rig.say(
-            Profile::Ecdis,
-            "EIAPB,A,A,0.010,L,N,V,V,245.0,T,WP1,246.0,T,246.0,T,A",
-        );
-        rig.run(1.0);
-    }
-    let refusal = rig.command(Order::Mode(ModeRequest::Track)).unwrap_err();
-    assert_eq!(refusal, "TRACK is not built yet");
-    assert_eq!(rig.mode(), ModeName::Auto);
-}

@@ -1,5 +1,6 @@
 //! The voyage as it is shipped, with a tap on its cables: every line to the autopilot passes a filter that a test sets.
 
+mod ships;
 mod wire;
 
 use std::sync::{Arc, Mutex};
@@ -10,7 +11,7 @@ use wheelover_core::geo::{Position, rhumb};
 use wheelover_core::nmea::{Htd, with_checksum};
 use wheelover_core::route::{Route, RouteLimits, Waypoint};
 use wheelover_core::settings::Value;
-use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile, Role};
+use wheelover_core::station::{PortSetup, Profile, Role, Switch};
 use wheelover_core::time::Stamp;
 use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
 use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order, Origin};
@@ -106,30 +107,6 @@ impl Rig {
         rig
     }
 
-    /// A ship heading 090 in still water, with a second compass of that profile on a port where only the test speaks.
-    pub(crate) fn with_compass(profile: Option<Profile>) -> Self {
-        let plan = route(&[(90.0, 2.5), (150.0, 2.5)], 0.5);
-        let leg = plan.leg(0);
-        let mut config = VoyageConfig::embedded(5);
-        config.settings.rudder_slew = SLEW;
-        config.chart.route = Some(plan.clone());
-        config.world.start = leg.from();
-        config.world.heading = leg.course().as_heading();
-        config.world.current_drift = Speed::from_knots(0.0);
-        config.ports.extend(profile.map(|profile| {
-            let setup = PortSetup {
-                name: "second".into(),
-                profile,
-                checksum: ChecksumPolicy::Required,
-                talkers: Vec::new(),
-                baud: 4800,
-                output: false,
-            };
-            (Role::Autopilot, setup)
-        }));
-        Self::of(Voyage::configured(config), plan)
-    }
-
     /// A voyage of its own; the scripted officer is off.
     pub(crate) fn of(mut voyage: Voyage, route: Route) -> Self {
         let wire = Arc::new(Mutex::new(Wire::default()));
@@ -223,6 +200,11 @@ impl Rig {
     /// The caller's loop was late by so much.
     pub(crate) fn stall(&mut self, ms: u64) -> Vec<VoyageOutput> {
         self.event(Event::Stalled { ms })
+    }
+
+    /// A contact is so now.
+    pub(crate) fn switch(&mut self, switch: Switch, closed: Option<bool>) {
+        self.event(Event::Contact { switch, closed });
     }
 
     fn event(&mut self, event: Event) -> Vec<VoyageOutput> {

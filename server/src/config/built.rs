@@ -19,7 +19,7 @@ const KEYS: [&str; 5] = [
 ];
 
 /// Profiles of ports.
-const PROFILES: [&str; 5] = ["hmi", "imu", "plotter", "stand", "targets"];
+const PROFILES: [&str; 3] = ["hmi", "imu", "targets"];
 
 /// Keys of `[ship]` that only some stations use.
 const SHIP: [(&str, &[Role]); 15] = [

@@ -2,6 +2,7 @@
 
 mod built;
 mod chart;
+mod contact;
 mod load;
 mod port;
 mod read;
@@ -17,4 +18,4 @@ mod voyage;
 pub(crate) use read::read;
 pub(crate) use rules::Rules;
 pub(crate) use show::in_force;
-pub(crate) use types::{Config, Place, Port};
+pub(crate) use types::{At, Config, Contact, ControlLine, Place, Port};

@@ -2,6 +2,7 @@
 
 use super::built;
 use super::chart::Chart;
+use super::contact::{ContactForm, contact};
 use super::port::{Mistake, PortForm, port, socket};
 use super::route;
 use super::rules::conflict;
@@ -24,6 +25,7 @@ struct Form {
     listen: Option<Spanned<String>>,
     allow_output: bool,
     port: Vec<Spanned<PortForm>>,
+    contact: Vec<Spanned<ContactForm>>,
     ship: Spanned<Ship>,
     autopilot: BTreeMap<Spanned<String>, Spanned<Value>>,
     chart_system: Spanned<Chart>,
@@ -37,6 +39,7 @@ impl Default for Form {
             listen: None,
             allow_output: false,
             port: Vec::new(),
+            contact: Vec::new(),
             ship: Spanned::new(0..0, Ship::default()),
             autopilot: BTreeMap::new(),
             chart_system: Spanned::new(0..0, Chart::default()),
@@ -107,6 +110,11 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
     if let Some((number, text)) = conflict(&ports, &settings) {
         return Err((spans[number].clone(), text));
     }
+    let mut contacts = Vec::new();
+    for written in form.contact {
+        let (span, form) = (written.span(), written.into_inner());
+        contacts.push(contact(&form, span, &roles, &ports, &contacts)?);
+    }
     form.ship
         .get_ref()
         .check()
@@ -125,6 +133,7 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
         listen,
         allow_output: form.allow_output,
         ports,
+        contacts,
         ship,
         settings,
         chart,

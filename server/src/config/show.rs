@@ -1,7 +1,7 @@
 //! CFG-1: a configuration printed as it is in force, with every default.
 
 use super::built;
-use super::types::{Config, Place, policy_name};
+use super::types::{At, Config, Place, policy_name};
 use std::fmt::Write;
 use wheelover_core::geo::to_millimetre;
 use wheelover_core::settings::{Kind, TABLE, Value};
@@ -48,6 +48,7 @@ fn write(config: &Config, out: &mut String) -> std::fmt::Result {
         }
         writeln!(out, "output = {}", setup.output)?;
     }
+    contacts(config, out)?;
     ship(config, out)?;
     if config.roles.contains(&Role::Autopilot) {
         settings(config, out)?;
@@ -63,6 +64,20 @@ fn chart(config: &Config, out: &mut String) -> std::fmt::Result {
     writeln!(out, "\n[chart_system]\nearly_s = {:?}", chart.early_s)?;
     writeln!(out, "soon_s = {:?}\neve = {}", chart.soon_s, chart.eve)?;
     writeln!(out, "dead_reckoning = {}", chart.dead_reckoning)
+}
+
+fn contacts(config: &Config, out: &mut String) -> std::fmt::Result {
+    for contact in &config.contacts {
+        writeln!(out, "\n[[contact]]\nwhat = \"{}\"", contact.switch.name())?;
+        let (key, place) = match &contact.at {
+            At::Port(port) => ("port", config.ports[*port].setup.name.clone()),
+            At::Device(path) => ("path", path.display().to_string()),
+        };
+        writeln!(out, "{key} = {}", quoted(&place))?;
+        let (line, inverted) = (contact.line.name(), contact.inverted);
+        writeln!(out, "line = \"{line}\"\ninverted = {inverted}")?;
+    }
+    Ok(())
 }
 
 fn settings(config: &Config, out: &mut String) -> std::fmt::Result {

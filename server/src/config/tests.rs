@@ -234,7 +234,7 @@ fn a_port_says_whether_a_null_status_commands() {
 fn what_is_not_built_yet_is_refused_by_its_name() {
     let not_built =
         |text: &str, line: usize, name: &str| check(text, line, &[name, "is not built yet"]);
-    for name in ["hmi", "stand", "plotter", "imu", "targets"] {
+    for name in ["hmi", "imu", "targets"] {
         let port = PORT.replace("profile = \"ecdis\"", &format!("profile = \"{name}\""));
         not_built(&format!("roles = [\"autopilot\"]\n{port}"), 6, name);
     }

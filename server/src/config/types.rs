@@ -9,7 +9,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use wheelover_core::route::Route;
 use wheelover_core::settings::Settings;
-use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile};
+use wheelover_core::station::{ChecksumPolicy, PortSetup, Profile, Switch};
 use wheelover_core::voyage::Role;
 
 /// What stands behind a port.
@@ -67,6 +67,54 @@ pub(crate) struct Port {
     pub(crate) place: Place,
 }
 
+/// A control line of a serial device that comes in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum ControlLine {
+    /// Clear to send.
+    Cts,
+    /// Data set ready.
+    Dsr,
+    /// Data carrier detect.
+    Dcd,
+    /// Ring indicator.
+    Ri,
+}
+
+impl ControlLine {
+    /// Its name in the configuration.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Cts => "cts",
+            Self::Dsr => "dsr",
+            Self::Dcd => "dcd",
+            Self::Ri => "ri",
+        }
+    }
+}
+
+/// Where a contact is read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum At {
+    /// At a port that is open, by its number.
+    Port(usize),
+    /// At a serial device of its own.
+    Device(PathBuf),
+}
+
+/// A contact that is wired.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Contact {
+    /// What it says.
+    pub(crate) switch: Switch,
+    /// Where it is read.
+    pub(crate) at: At,
+    /// By which line.
+    pub(crate) line: ControlLine,
+    /// It is closed while the line is off.
+    pub(crate) inverted: bool,
+}
+
 /// A checked configuration.
 #[derive(Clone, Debug)]
 pub(crate) struct Config {
@@ -78,6 +126,8 @@ pub(crate) struct Config {
     pub(crate) allow_output: bool,
     /// The ports.
     pub(crate) ports: Vec<Port>,
+    /// Contacts that are wired to the autopilot.
+    pub(crate) contacts: Vec<Contact>,
     /// The ship.
     pub(crate) ship: Ship,
     /// Parameters of the autopilot.
@@ -97,7 +147,10 @@ impl Config {
 
 /// Whether what is heard on a port can change what the ship does by itself.
 pub(crate) const fn commands(profile: Profile) -> bool {
-    matches!(profile, Profile::Ecdis | Profile::Hmi | Profile::Bams)
+    matches!(
+        profile,
+        Profile::Ecdis | Profile::Stand | Profile::Plotter | Profile::Hmi | Profile::Bams
+    )
 }
 
 pub(super) const fn policy_name(policy: ChecksumPolicy) -> &'static str {

@@ -3,15 +3,18 @@
 //! **Invariant:** a port that goes away comes back by itself (FB8, FB9), and one that does not take its
 //! output holds the newest sentence of each kind, never a backlog (FB11).
 
+mod contacts;
 pub(crate) mod list;
 mod open;
 mod playback;
+mod stood;
 mod task;
 mod wire;
 
 use crate::bus::{Inlet, Link};
-use crate::config::{Config, Port};
+use crate::config::{At, Config, Contact, Port};
 use crate::error::Error;
+use std::path::PathBuf;
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
@@ -19,6 +22,7 @@ use tokio_util::task::TaskTracker;
 #[derive(Debug)]
 pub(crate) struct Ready {
     opened: Vec<(Port, Option<open::Opened>)>,
+    contacts: Vec<Contact>,
 }
 
 impl Ready {
@@ -41,7 +45,10 @@ impl Ready {
             };
             opened.push((port.clone(), found));
         }
-        Ok(Self { opened })
+        Ok(Self {
+            opened,
+            contacts: config.contacts.clone(),
+        })
     }
 
     /// Runs the ports, as tasks of the server, until it ends.
@@ -52,9 +59,24 @@ impl Ready {
         tasks: &TaskTracker,
         stop: &CancellationToken,
     ) {
-        for ((port, opened), link) in self.opened.into_iter().zip(links) {
-            let running = task::run(port, opened, link.clone(), inlet.clone());
+        let at = |place: &At| {
+            let here = self.contacts.iter().filter(|contact| contact.at == *place);
+            here.cloned().collect::<Vec<_>>()
+        };
+        for (index, ((port, opened), link)) in self.opened.into_iter().zip(links).enumerate() {
+            let contacts = contacts::Contacts::new(at(&At::Port(index)));
+            let running = task::run(port, opened, contacts, link.clone(), inlet.clone());
             tasks.spawn(stop.clone().run_until_cancelled_owned(running));
+        }
+        let mut devices: Vec<PathBuf> = Vec::new();
+        for contact in &self.contacts {
+            if let At::Device(path) = &contact.at
+                && !devices.contains(path)
+            {
+                devices.push(path.clone());
+                let watching = contacts::watch(path.clone(), at(&contact.at), inlet.clone());
+                tasks.spawn(stop.clone().run_until_cancelled_owned(watching));
+            }
         }
     }
 }

@@ -1,7 +1,9 @@
 //! One task a port: opens it, moves bytes until it is lost, and opens it again.
 
+use super::contacts::Contacts;
 use super::open::{self, Opened};
 use super::playback;
+use super::stood::{self, Stood};
 use super::wire::{Moved, Wire};
 use crate::bus::{Inlet, Link, Trouble};
 use crate::config::{Place, Port};
@@ -25,7 +27,13 @@ const AT_ONCE: f64 = 262_144.0;
 const FLOODED_FOR: Duration = Duration::from_secs(1);
 
 /// Runs a port, for ever.
-pub(super) async fn run(port: Port, mut opened: Option<Opened>, link: Link, inlet: Inlet) {
+pub(super) async fn run(
+    port: Port,
+    mut opened: Option<Opened>,
+    mut contacts: Contacts,
+    link: Link,
+    inlet: Inlet,
+) {
     let mut wait = BACK_OFF[0];
     loop {
         let now = match opened.take() {
@@ -35,7 +43,7 @@ pub(super) async fn run(port: Port, mut opened: Option<Opened>, link: Link, inle
         match now {
             Ok(Opened::Wire(wire)) => {
                 wait = BACK_OFF[0];
-                let lost = converse(wire, &port, &link, &inlet).await;
+                let lost = converse(wire, &port, &mut contacts, &link, &inlet).await;
                 say(&link, lost_words(&lost));
             }
             Ok(Opened::Listener(listener)) => {
@@ -52,6 +60,7 @@ pub(super) async fn run(port: Port, mut opened: Option<Opened>, link: Link, inle
             }
             Err(failure) => say(&link, failure.text),
         }
+        contacts.look(None, &inlet);
         sleep(wait).await;
         wait = (wait * 2).min(BACK_OFF[1]);
     }
@@ -81,8 +90,9 @@ async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) 
                 }
             }
         };
+        let mut none = Contacts::new(Vec::new());
         tokio::select! {
-            lost = converse(Wire::Tcp(stream), port, link, inlet) => {
+            lost = converse(Wire::Tcp(stream), port, &mut none, link, inlet) => {
                 let words = match lost.kind() {
                     io::ErrorKind::UnexpectedEof => "the other side hung up".to_owned(),
                     _ => reason(&lost),
@@ -95,28 +105,43 @@ async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) 
 }
 
 /// Moves bytes both ways until the line is lost; says why.
-async fn converse(mut wire: Wire, port: &Port, link: &Link, inlet: &Inlet) -> io::Error {
+async fn converse(
+    mut wire: Wire,
+    port: &Port,
+    contacts: &mut Contacts,
+    link: &Link,
+    inlet: &Inlet,
+) -> io::Error {
     inlet.port_up(link, true);
     if link.set_trouble(Trouble::None) {
         tracing::info!("port {} is there", link.name);
     }
-    let lost = move_bytes(&mut wire, port, link, inlet).await;
+    let lost = move_bytes(&mut wire, port, contacts, link, inlet).await;
     inlet.port_up(link, false);
     lost
 }
 
-async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, inlet: &Inlet) -> io::Error {
+async fn move_bytes(
+    wire: &mut Wire,
+    port: &Port,
+    contacts: &mut Contacts,
+    link: &Link,
+    inlet: &Inlet,
+) -> io::Error {
     let mut buffer = [0; 1024];
     let mut line: Vec<u8> = Vec::new();
     let mut pace = Pace::new(&port.place);
     let mut flood = Flood::new();
+    let mut stood = Stood::new();
     loop {
+        stood.look();
         let writing = !line.is_empty();
         tokio::select! {
             moved = std::future::poll_fn(|cx| {
                 let buffer = flood.reads().then_some(&mut buffer[..]);
                 wire.poll(cx, buffer, &line)
             }) => match moved {
+                Ok(Moved::Read(_)) if stood.look() => {} // FA16: it was said long ago
                 Ok(Moved::Read(count)) => flood.hear(&buffer[..count], link, inlet),
                 Ok(Moved::Written(count)) => {
                     line.drain(..count);
@@ -126,6 +151,10 @@ async fn move_bytes(wire: &mut Wire, port: &Port, link: &Link, inlet: &Inlet) ->
                     }
                 }
                 Err(error) => return error,
+            },
+            () = sleep(stood::LOOK) => {}
+            () = contacts.due(), if !contacts.is_empty() => {
+                contacts.look(wire.control_lines(), inlet);
             },
             () = sleep_until(flood.pause), if !flood.reads() => {}
             () = sleep_until(pace.deadline), if writing => {

@@ -1,5 +1,6 @@
 //! An open line: serial, TCP or UDP, read and written by one task without either waiting for the other.
 
+use super::contacts::ControlLines;
 use std::io;
 use std::pin::Pin;
 use std::task::{Context, Poll, ready};
@@ -82,6 +83,14 @@ impl Wire {
         match self {
             Self::Serial(port) => port.bytes_to_write().unwrap_or(0),
             Self::Tcp(_) | Self::Udp(_) => 0,
+        }
+    }
+
+    /// Its control lines, where it has any.
+    pub(super) fn control_lines(&mut self) -> Option<&mut dyn ControlLines> {
+        match self {
+            Self::Serial(port) => Some(port),
+            Self::Tcp(_) | Self::Udp(_) => None,
         }
     }
 

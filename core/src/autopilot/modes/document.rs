@@ -5,8 +5,11 @@ use super::event::{Cause, Event};
 use super::former::Former;
 use super::mode::{Mode, TABLE};
 use super::need::{Lost, Need};
+use super::state::Listed as _;
 use super::table::{Limit, OnLoss, Row};
+use super::track::Track;
 use crate::autopilot::facts::Facts;
+use crate::command::{Origin, STANDBY_RANK};
 use crate::geo::Point;
 use crate::path::Path;
 use crate::settings::Settings;
@@ -24,6 +27,7 @@ pub fn document() -> String {
         modes(),
         needs(),
         transitions(),
+        ranks(),
     ]
     .join("\n")
 }
@@ -121,6 +125,8 @@ fn events() -> Vec<(&'static str, Event)> {
     alloc::vec![
         ("STANDBY", Event::Standby),
         ("override", Event::Override),
+        ("NFU line in use", Event::NfuLine(true)),
+        ("NFU line released", Event::NfuLine(false)),
         ("AUTO", Event::Auto),
         ("heading set", Event::SetHeading(Heading::from_deg(30.0))),
         (
@@ -138,6 +144,7 @@ fn events() -> Vec<(&'static str, Event)> {
                 radius: Radius::from_nm(1.0),
             },
         ),
+        ("TRACK", Event::EngageTrack(followed())),
         ("something missing", Event::TrackFail(Cause::Missing),),
         ("HTC says S", Event::TrackFail(Cause::StandAlone)),
         ("heading lost", Event::HeadingLost),
@@ -170,6 +177,12 @@ fn events() -> Vec<(&'static str, Event)> {
     ]
 }
 
+/// A plotter's leg.
+fn followed() -> Track {
+    let mut examples = Track::examples();
+    examples.remove(0).1
+}
+
 fn transitions() -> String {
     let settings = Settings::default();
     let facts = Facts {
@@ -197,6 +210,21 @@ fn transitions() -> String {
     });
     let text = "## Transitions\n\nWhat each event makes of a mode; – is no change. “Agreed”: the operator has selected AutoNAV, or the chart\nsystem switches between Tn and Ti, and everything that is needed is there. A lost turn is finished by its last commanded radius or rate.\nDODGE that was selected in AutoNAV or WIND VANE goes back there when it is released, where the needs still hold.\n\n";
     text.to_string() + &table(&head, rows)
+}
+
+/// HTC-4: who goes before whom.
+fn ranks() -> String {
+    let mut rows: Vec<(u8, &str)> = Origin::ALL
+        .iter()
+        .map(|origin| (origin.rank(), origin.title()))
+        .collect();
+    rows.push((STANDBY_RANK, "operator's STANDBY"));
+    rows.sort_by_key(|(rank, _)| *rank);
+    let text = "## Who goes before whom\n\nOf two that command the one with the lower number is obeyed, and the other is refused by its name (HTC-4). HTC, HSC and APB\ncommand only in the modes that the operator has selected for them.\n\n";
+    let rows = rows
+        .into_iter()
+        .map(|(rank, title)| alloc::vec![rank.to_string(), title.to_string()]);
+    text.to_string() + &table(&["rank", "who"], rows)
 }
 
 fn described(mode: &Mode, facts: &Facts<'_>) -> String {

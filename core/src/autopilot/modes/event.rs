@@ -1,6 +1,7 @@
 //! What changes a mode.
 
 use super::former::Former;
+use super::track::Track;
 use crate::path::Path;
 use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle};
 use serde::{Deserialize, Serialize};
@@ -43,8 +44,12 @@ pub(in super::super) enum Event {
         /// AUTO's radius, reported before the first turn.
         radius: Radius,
     },
-    /// Control by the chart system is lost.
+    /// The operator selects TRACK.
+    EngageTrack(Track),
+    /// Control by the chart system or the plotter is lost.
     TrackFail(Cause),
+    /// The line of the hardware override is in use, or released.
+    NfuLine(bool),
     /// Override is reported.
     Override,
     /// No heading is usable.

@@ -38,20 +38,21 @@ impl Modes {
         let command = match command {
             Ok(command) => command,
             Err(refusal) => {
-                self.remote.disprove();
+                self.remote.htc.disprove();
                 let text = format!("HTC refused: {refusal}");
                 if self.mode.selected_until().is_some() || self.mode.is_autonav() {
                     self.why.clone_from(&text);
                 }
-                self.remote.refuse(now, text);
+                self.remote.htc.refuse(now, text);
                 return;
             }
         };
-        self.remote.take(now, source, command);
+        self.remote.htc.take(now, source, command);
+        self.remote.by_hsc = false; // HTC-4
         match command {
             Remote::Override => self.override_reported(outlook, notices),
             Remote::Stop(mode) => {
-                self.remote.disprove();
+                self.remote.htc.disprove();
                 notices.rectify(Alert::Override);
                 if self.mode.is_autonav() {
                     self.stopped(outlook, mode, notices);
@@ -59,7 +60,7 @@ impl Modes {
             }
             Remote::Heading { .. } | Remote::Track { .. } => {
                 notices.rectify(Alert::Override);
-                self.remote.prove(now);
+                self.remote.htc.prove(now);
                 self.follow(outlook, command);
             }
         }
@@ -74,7 +75,7 @@ impl Modes {
     ) -> bool {
         let (now, picture) = (outlook.facts.now, outlook.seen.picture);
         let fresh = outlook.facts.settings.track_fail_ms();
-        let Some(authority) = self.remote.other_authority(now, source, fresh) else {
+        let Some(authority) = self.remote.htc.other_holder(now, source, fresh) else {
             return false;
         };
         let text = format!(
@@ -87,7 +88,11 @@ impl Modes {
     }
 
     /// What a ship like this can do, and what does not contradict itself or what is steered.
-    fn accept(&mut self, outlook: &Outlook<'_>, command: Remote) -> Result<Remote, Refusal> {
+    pub(super) fn accept(
+        &mut self,
+        outlook: &Outlook<'_>,
+        command: Remote,
+    ) -> Result<Remote, Refusal> {
         can_do(command, outlook.ship, outlook.speed())?;
         self.mode.state_mut().accepts(command)?;
         Ok(command)
@@ -95,7 +100,7 @@ impl Modes {
 
     /// HTC-1: STANDBY within one tick, and no way back but the operator's.
     fn override_reported(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
-        self.remote.disprove();
+        self.remote.htc.disprove();
         if self.mode == Mode::STANDBY {
             return;
         }
@@ -128,7 +133,7 @@ impl Modes {
         if let Some(missing) = missing {
             let why = format!("HTC not followed: {missing}");
             self.why.clone_from(&why);
-            self.remote.refuse(now, why);
+            self.remote.htc.refuse(now, why);
             return;
         }
         if self.mode.name() != wanted {

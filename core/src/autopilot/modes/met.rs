@@ -24,7 +24,8 @@ impl Modes {
     /// The command in force.
     pub(super) fn command(&self, outlook: &Outlook<'_>) -> Option<Remote> {
         let ms = outlook.facts.settings.track_fail_ms();
-        self.remote.command(outlook.facts.now, ms)
+        let commands = self.commands(outlook);
+        commands.command(outlook.facts.now, ms).copied()
     }
 
     /// What the chart system says, in the own plane.
@@ -58,9 +59,7 @@ impl Modes {
                 return Err(Refusal::because("AutoNAV is active already"));
             }
             ModeRequest::Autonav => self.pending_mode(outlook),
-            ModeRequest::Track => {
-                return Err(Refusal::because("TRACK is not built yet"));
-            }
+            ModeRequest::Track => return self.may_follow_the_plotter(outlook),
             // Asked for again, it is released.
             ModeRequest::Dodge if matches!(self.mode, Mode::Dodge(_)) => return Ok(()),
             ModeRequest::Dodge => ModeName::Dodge,
@@ -83,7 +82,7 @@ impl Modes {
     }
 
     /// Whether a mode may be entered now, or why not.
-    fn can_enter(&self, outlook: &Outlook<'_>, mode: ModeName) -> Result<(), Refusal> {
+    pub(super) fn can_enter(&self, outlook: &Outlook<'_>, mode: ModeName) -> Result<(), Refusal> {
         if matches!(self.mode, Mode::Installation(_)) {
             return Err(Refusal::because("INSTALLATION is ended by STANDBY only"));
         }
@@ -105,7 +104,7 @@ impl Modes {
         let charted = self.charted(outlook);
         match need {
             Need::Enabled => outlook.facts.settings.external_tcs,
-            Need::InAuto => matches!(self.mode, Mode::Auto(_)),
+            Need::InAuto | Need::AutoFirst => matches!(self.mode, Mode::Auto(_)),
             Need::TrueHeading => !sight.is_magnetic(),
             Need::NoOverride => self.command(outlook) != Some(Remote::Override),
             Need::LegKnown => self.commanded_radius(outlook).is_none(),
@@ -127,6 +126,7 @@ impl Modes {
             Need::Leg => (charted.pney1()).is_some_and(|said| said.cross_track.is_some()),
             Need::Centre => charted.has_pney2(),
             Need::OnePosition => charted.positions_agree().is_ok(),
+            Need::Plotted => self.proven_leg(outlook).is_some(),
             // Watched from when the mode is entered: what disagrees then is not followed.
             Need::Agreement => true,
         }

@@ -8,11 +8,13 @@ use super::dodge::Dodge;
 use super::event::{Cause, Event};
 use super::ffu_override::FfuOverride;
 use super::installation::Installation;
+use super::nfu_override::NfuOverride;
 use super::river_pilot::RiverPilot;
 use super::rudder_hold::RudderHold;
 use super::standby::Standby;
 use super::state::{Listed, State};
 use super::table::{ModeName, Row};
+use super::track::Track;
 use super::wind_vane::WindVane;
 use crate::autopilot::facts::Facts;
 use crate::time::Stamp;
@@ -61,9 +63,11 @@ macro_rules! modes {
 
 modes! {
     Standby: "No orders are given.";
+    NfuOverride: "The hardware override steers.";
     Auto: "Heading control.";
     AutonavTn: "Remote heading control by HTC.";
     AutonavTi: "Track control by HTC, XTE and PNEY.";
+    Track: "A plotter's route by APB.";
     RudderHold: "Rudder frozen after a critical failure.";
     WindVane: "The angle to the wind is held.";
     RiverPilot: "The rate of turn is held.";
@@ -80,12 +84,21 @@ impl Mode {
     /// Every transition.
     pub(in super::super) fn next(self, event: &Event, facts: &Facts<'_>) -> Self {
         match (self, event) {
+            (_, Event::NfuLine(true)) => Self::NfuOverride(NfuOverride { line: true }),
+            (Self::NfuOverride(_), Event::NfuLine(line)) => {
+                Self::NfuOverride(NfuOverride { line: *line })
+            }
+            (mode, Event::NfuLine(false)) => mode,
+            (mode @ Self::NfuOverride(_), Event::Override) => mode,
             (_, Event::Standby | Event::Override) => Self::STANDBY,
             // AP-18: left to STANDBY only.
             (mode @ Self::Installation(_), _) => mode,
             (Self::Standby(_), Event::Installation) => Self::Installation(Installation),
             (
-                mode @ (Self::Standby(_) | Self::RudderHold(_) | Self::FfuOverride(_)),
+                mode @ (Self::Standby(_)
+                | Self::NfuOverride(_)
+                | Self::RudderHold(_)
+                | Self::FfuOverride(_)),
                 Event::HeadingLost,
             ) => mode,
             (_, Event::HeadingLost) => Self::RudderHold(RudderHold { order: facts.order }),
@@ -127,11 +140,13 @@ impl Mode {
             (Self::WindVane(_) | Self::Dodge(_) | Self::Autotuning(_), Event::AutoOn(set)) => {
                 Self::Auto(Auto::on(*set))
             }
-            (mode @ (Self::AutonavTi(_) | Self::AutonavTn(_)), Event::TrackFail(cause)) => {
-                Self::Auto(mode.fall_back(cause, facts))
-            }
-            // Nothing else changes a mode: a heading is set in AUTO only, a track fails in AutoNAV only.
-            (mode, Event::SetHeading(_) | Event::TrackFail(_)) => mode,
+            (Self::Auto(_), Event::EngageTrack(track)) => Self::Track(*track),
+            (
+                mode @ (Self::AutonavTi(_) | Self::AutonavTn(_) | Self::Track(_)),
+                Event::TrackFail(cause),
+            ) => Self::Auto(mode.fall_back(cause, facts)),
+            // Nothing else changes a mode: a heading is set in AUTO only, a track fails in AutoNAV and TRACK only.
+            (mode, Event::SetHeading(_) | Event::TrackFail(_) | Event::EngageTrack(_)) => mode,
             (mode, Event::EngageTn { .. } | Event::EngageTi { .. }) => mode,
             // The operator's modes are entered and left from where the table says.
             (mode, Event::Dodge { .. } | Event::AutoOn(_)) => mode,

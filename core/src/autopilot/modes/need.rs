@@ -49,6 +49,7 @@ macro_rules! needs {
 needs! {
     Enabled: Lost::AtEntry, "AutoNAV is not enabled at installation", "The setting `external_tcs`.";
     InAuto: Lost::AtEntry, "AutoNAV is selected from AUTO only", "AUTO steers.";
+    AutoFirst: Lost::AtEntry, "TRACK is selected from AUTO only", "AUTO steers, before TRACK does.";
     TrueHeading: Lost::AtEntry, "the heading is magnetic, and no variation is known", "A heading of true north (AP-10).";
     NoOverride: Lost::AtEntry, "override is in use", "The chart system reports no override (HTC-1).";
     LegKnown: Lost::AtEntry, "not in the middle of a turn: the leg before it is unknown", "No radius is commanded: situations 3 and 4 cannot be entered.";
@@ -67,6 +68,7 @@ needs! {
     Leg: Lost::NotFollowed, "PNEY,001 has no distance: no leg", "The distance in PNEY,001.";
     Centre: Lost::Watched("PNEY,002"), "no valid PNEY,002", "PNEY,002, with a centre or without.";
     OnePosition: Lost::NotFollowed, "own and the chart system's position are too far apart", "Own and the chart system's position are those of one ship.";
+    Plotted: Lost::Watched("APB"), "no valid APB", "An accepted APB that contradicts nothing else that its port says.";
     Agreement: Lost::Watched("agreement"), "the chart system's sentences do not agree", "What is commanded agrees with everything else that is heard.";
 }
 

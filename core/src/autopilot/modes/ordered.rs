@@ -197,7 +197,7 @@ impl Modes {
     /// AutoNAV again, where all that it needs is there and it is not in the middle of a turn; else what is missing.
     fn resumed(&self, outlook: &Outlook<'_>) -> Result<Event, String> {
         let waits = || self.waits_for(outlook);
-        let proven = self.remote.is_proven(outlook.facts.now);
+        let proven = self.commands(outlook).is_proven(outlook.facts.now);
         let wanted = self.wanted(outlook).filter(|_| proven).ok_or_else(waits)?;
         let entry = row(wanted).map_or(&[][..], |row| row.entry);
         let asked = entry.iter().filter(|need| **need != Need::InAuto);

@@ -7,7 +7,9 @@ use super::off_heading::OffHeading;
 use super::steady_speed::SteadySpeed;
 use super::table::ModeName;
 use crate::autopilot::facts::{Facts, Outlook};
+use crate::autopilot::plotter::Plotter;
 use crate::autopilot::remote::{Positions, Remote};
+use crate::autopilot::stand::Stand;
 use crate::autopilot::steering::Demand;
 use crate::geo::Point;
 use crate::nmea::{Htd, LimitStatus, OverrideStatus, Reference, Sentence, TurnMode};
@@ -24,6 +26,10 @@ pub(in super::super) struct Modes {
     pub(super) why: String,
     pub(super) remote: Remote,
     pub(super) positions: Positions,
+    pub(super) plotter: Plotter,
+    pub(super) stand: Stand,
+    /// The operator took the ship from the stand's lever.
+    pub(super) over_the_lever: bool,
     pub(super) off_heading: OffHeading,
     pub(super) speed: SteadySpeed,
 }
@@ -36,6 +42,9 @@ impl Modes {
             why: "start-up".into(),
             remote: Remote::default(),
             positions: Positions::default(),
+            plotter: Plotter::default(),
+            stand: Stand::default(),
+            over_the_lever: false,
             off_heading: OffHeading::default(),
             speed: SteadySpeed::default(),
         }
@@ -189,8 +198,8 @@ impl Modes {
 
     /// An HTC that the port's policy does not accept breaks the row (FA14, SEN-2).
     pub(in super::super) fn on_broken_htc(&mut self, now: Stamp) {
-        self.remote.disprove();
+        self.remote.htc.disprove();
         let why = "HTC refused: checksum missing or wrong";
-        self.remote.refuse(now, why.into());
+        self.remote.htc.refuse(now, why.into());
     }
 }

@@ -29,6 +29,7 @@ impl Modes {
     ) -> Result<String, Refusal> {
         match request {
             ModeRequest::Standby => {
+                self.over_the_lever = true;
                 for over in [Alert::HeadingLost, Alert::Override, Alert::WindLost] {
                     notices.rectify(over);
                 }
@@ -57,10 +58,7 @@ impl Modes {
                 Some(released) => Ok(released),
                 None => self.enter(outlook, request, notices),
             },
-            ModeRequest::Track => {
-                self.may_select(outlook, request)?;
-                Ok("TRACK".into())
-            }
+            ModeRequest::Track => self.follow_the_plotter(outlook, notices),
             _ => self.enter(outlook, request, notices),
         }
     }
@@ -140,7 +138,7 @@ impl Modes {
             self.why = "AutoNAV refused: not in the middle of a turn".into();
             return;
         }
-        let proven = self.remote.is_proven(now);
+        let proven = self.commands(outlook).is_proven(now);
         let Some(wanted) = self
             .wanted(outlook)
             .filter(|wanted| proven && self.missing(outlook, *wanted).is_none())
@@ -148,6 +146,7 @@ impl Modes {
             return;
         };
         if let Some(event) = self.engagement(outlook, wanted) {
+            self.remote.by_hsc = self.obeys_hsc(outlook);
             notices.rectify(Alert::TrackFail);
             self.apply(&outlook.facts, &event, why_of(wanted));
         }

@@ -5,6 +5,7 @@ use super::set_value::SetValue;
 use super::table::Row;
 use crate::alerts::Alert;
 use crate::autopilot::facts::{Facts, Outlook};
+use crate::autopilot::plotter::Leg;
 use crate::autopilot::remote::Charted;
 use crate::autopilot::steering::Demand;
 use crate::command::{Refusal, Remote};
@@ -12,9 +13,20 @@ use crate::geo::Point;
 use crate::nmea::Htd;
 use crate::path::Path;
 use crate::time::Stamp;
-use crate::units::Heading;
+use crate::units::{Distance, Heading};
 use alloc::string::String;
 use alloc::vec::Vec;
+
+/// What others ask the ship to follow.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct Told<'a> {
+    /// The chart system's command in force.
+    pub(super) command: Option<Remote>,
+    /// What it says beside, in the own plane.
+    pub(super) charted: Charted<'a>,
+    /// The plotter's leg in force.
+    pub(super) plotted: Option<&'a Leg>,
+}
 
 /// The plane is laid anew so far from where it touches, metres.
 pub(super) const PLANE_M: f64 = 10_000.0;
@@ -102,7 +114,7 @@ pub(in super::super) trait State {
 
     /// Holds the command in force against everything else that is heard, once a step, and goes by it; or says what does
     /// not agree.
-    fn agree(&mut self, _: &Outlook<'_>, _: Option<Remote>, _: Charted<'_>) -> Result<(), String> {
+    fn agree(&mut self, _: &Outlook<'_>, _: Told<'_>) -> Result<(), String> {
         Ok(())
     }
 
@@ -118,6 +130,11 @@ pub(in super::super) trait State {
 
     /// Control by the chart system is about to be lost; `command` is the last one.
     fn losing(&mut self, _: &Outlook<'_>, _: Option<Remote>) {}
+
+    /// Cross-track distance from what is sailed, ship right of it positive.
+    fn cross_track(&self, facts: &Facts<'_>) -> Option<Distance> {
+        facts.steered?.cross_track
+    }
 
     /// Whether the ship has left the track for long enough, `off` metres from it, with a limit of `limit` metres.
     fn has_left_the_track(&mut self, _: Stamp, _off: Option<f64>, _limit: f64) -> bool {

@@ -6,6 +6,7 @@ use super::event::{Cause, Event};
 use super::mode::Mode;
 use super::need::{Lost, Need};
 use super::part::Modes;
+use super::state::Told;
 use super::table::OnLoss;
 use crate::alerts::{Alert, Standing, State};
 use crate::autopilot::facts::Outlook;
@@ -59,16 +60,21 @@ impl Modes {
 
     /// Once a step: the pending selection, the ages of what is followed, the path.
     pub(in super::super) fn supervise(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
+        self.watch_the_stand(outlook, notices);
         self.watch_mode(outlook, notices);
         self.try_engage(outlook, notices);
         self.name_stop(outlook, notices);
         let (now, settings) = (outlook.facts.now, outlook.facts.settings);
-        if !self.remote.in_conflict(now, settings.track_fail_ms()) {
+        if !self.remote.htc.in_conflict(now, settings.track_fail_ms()) {
             notices.rectify(Alert::HtcConflict);
         }
+        if !self.remote.hsc.in_conflict(now, settings.track_fail_ms()) {
+            notices.rectify(Alert::HscConflict);
+        }
+        self.watch_waypoints(outlook, notices);
         let engaged = self.mode.state().path().is_some();
         self.positions.compare(outlook, engaged);
-        if !self.mode.is_autonav() {
+        if self.mode.row().on_loss != OnLoss::TrackFail {
             for over in [
                 Alert::TrackDataLate,
                 Alert::TrackDataRefused,
@@ -83,7 +89,7 @@ impl Modes {
             return;
         }
         let refused = disagreement
-            .or_else(|| self.remote.refused().map(String::from))
+            .or_else(|| self.refused().map(String::from))
             .or_else(|| self.mode.state().makeshift().map(String::from));
         notices.tell(Alert::TrackDataRefused, refused);
         let caution = settings.track_caution;
@@ -112,9 +118,21 @@ impl Modes {
 
     /// The mode goes by what is commanded, or says what does not agree.
     fn agree(&mut self, outlook: &Outlook<'_>) -> Result<(), String> {
-        let command = self.command(outlook);
-        let charted = Charted::of(outlook, &self.positions);
-        self.mode.state_mut().agree(outlook, command, charted)
+        let told = Told {
+            command: self.command(outlook),
+            charted: Charted::of(outlook, &self.positions),
+            plotted: self.plotter.in_force(outlook),
+        };
+        self.mode.state_mut().agree(outlook, told)
+    }
+
+    /// Why the last command of whom the mode follows is not followed.
+    fn refused(&self) -> Option<&str> {
+        match self.mode {
+            Mode::Track(_) => self.plotter.apb.refused(),
+            _ if self.remote.by_hsc => self.remote.hsc.refused(),
+            _ => self.remote.htc.refused(),
+        }
     }
 
     /// TRACK FAIL where the chart system controls and something that is followed is too old; whether it did.
@@ -129,8 +147,9 @@ impl Modes {
             return false;
         }
         let silent = self.names(outlook, track_fail - TOGETHER_S);
-        let text = match self.remote.refused().map(String::from) {
-            Some(refused) if silent.starts_with("HTC") || silent == "agreement" => refused,
+        let command = ["HTC", "HSC", "APB", "agreement"];
+        let text = match self.refused().map(String::from) {
+            Some(refused) if command.iter().any(|name| silent.starts_with(name)) => refused,
             _ if silent == "agreement" => {
                 let disagreement = self.agree(outlook).err();
                 disagreement.unwrap_or_else(|| "the chart system's sentences do not agree".into())
@@ -146,7 +165,10 @@ impl Modes {
         let followed = self.followed(outlook);
         let mut old: Vec<&str> = followed
             .filter(|item| item.age >= seconds && item.name != "agreement")
-            .map(|item| item.name)
+            .map(|item| match item.name {
+                "HTC" if self.remote.by_hsc => "HSC",
+                name => name,
+            })
             .collect();
         old.sort_by_key(|name| *name == "position"); // sentences first
         let sentences = ["HTC", "XTE", "PNEY,001", "PNEY,002"];
@@ -188,7 +210,8 @@ impl Modes {
     fn last(&self, outlook: &Outlook<'_>, need: Need) -> Option<Stamp> {
         let (now, picture) = (outlook.facts.now, outlook.seen.picture);
         match need {
-            Need::Command => Some(self.remote.heard_at().min(now)),
+            Need::Command => Some(self.commands(outlook).heard_at().min(now)),
+            Need::Plotted => Some(self.plotter.apb.heard_at().min(now)),
             Need::Agreement => self.mode.state().agreed().or(Some(now)),
             Need::CrossTrack => picture.xte.as_ref().map(|heard| heard.at),
             Need::ControlDistance => picture.pney1.as_ref().map(|heard| heard.at),
@@ -237,7 +260,9 @@ impl Modes {
         let command = self.remote.command(outlook.facts.now, ms);
         self.mode.state_mut().losing(outlook, command);
         notices.raise(Alert::TrackFail, text);
-        self.remote.disprove();
+        self.remote.htc.disprove();
+        self.remote.hsc.disprove();
+        self.plotter.apb.disprove();
         self.apply(&outlook.facts, &Event::TrackFail(cause), text);
     }
 
@@ -254,7 +279,7 @@ impl Modes {
 
     /// Farther off the track is an alarm, metres: by the corridor that HTC gives, else by the setting.
     pub(in super::super) fn off_track_limit(&self, outlook: &Outlook<'_>) -> f64 {
-        match self.command(outlook) {
+        match self.command(outlook).filter(|_| self.mode.is_autonav()) {
             Some(Remote::Track {
                 off_track_limit: Some(limit),
                 ..
@@ -266,8 +291,8 @@ impl Modes {
     /// MSC.74(69) A2 5.3.6: off the track by more than the corridor that HTC gives, or the setting.
     fn watch_track(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
         let limit = self.off_track_limit(outlook);
-        let off = (outlook.facts.steered)
-            .and_then(|steered| steered.cross_track)
+        let off = (self.mode.state())
+            .cross_track(&outlook.facts)
             .map(|off| libm::fabs(off.m()));
         let left = (self.mode)
             .state_mut()

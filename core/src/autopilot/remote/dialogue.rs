@@ -1,20 +1,17 @@
-//! The chart system's commands: whose are obeyed, what was said of them last, and what a ship can do (HTC-1 to HTC-4, SEN-5).
+//! The chart system's commands: what was said of them last, and what a ship can do (HTC-1 to HTC-4, SEN-5).
 
 use super::super::steering::SteeringSettings;
+use super::authority::Authority;
 use crate::command::{self, Refusal};
 use crate::nmea::Sentence;
-use crate::picture::Source;
 use crate::post::Seen;
 use crate::time::Stamp;
 use crate::units::Speed;
-use alloc::collections::{BTreeMap, VecDeque};
+use alloc::collections::BTreeMap;
 use alloc::format;
 use alloc::string::String;
 use serde::{Deserialize, Serialize};
 
-/// So many valid HTC in a row, within so long, before the first is obeyed (FA14).
-const PROOFS: usize = 3;
-const PROOF_WINDOW_MS: u64 = 5_000;
 /// A sentence that came spoilt within this time comes still, milliseconds.
 const SPOILT_MS: u64 = 2_500;
 /// Largest radius that is believed, nautical miles.
@@ -27,86 +24,20 @@ const SAME_DEG: f64 = 2.0;
 /// What is known of the chart system that commands.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(in super::super) struct Remote {
-    /// Whose commands are obeyed, and when it last commanded (FB13).
-    authority: Option<(Source, Stamp)>,
-    /// When another source last commanded.
-    other: Option<Stamp>,
-    /// The last command that was accepted.
-    command: Option<(command::Remote, Stamp)>,
-    /// The last refusal.
-    refusal: Option<(String, Stamp)>,
+    /// Whose HTC are obeyed, and the last of them.
+    pub(in super::super) htc: Authority<command::Remote>,
+    /// Whose HSC are obeyed, and the last of them (AP-13).
+    pub(in super::super) hsc: Authority<command::Remote>,
+    /// Tn was engaged by HSC: no HTC has come since.
+    pub(in super::super) by_hsc: bool,
     /// What spoils a sentence that is followed, by its formatter, and when it last came so (FA4).
     spoilt: BTreeMap<String, (String, Stamp)>,
-    /// Times of the accepted commands in a row (FA14).
-    proofs: VecDeque<Stamp>,
 }
 
 impl Remote {
     /// The command in force, unless it is older than `ms`.
     pub(in super::super) fn command(&self, now: Stamp, ms: u64) -> Option<command::Remote> {
-        let (command, at) = self.command?;
-        (now.since(at) <= ms).then_some(command)
-    }
-
-    /// When the last command was accepted.
-    pub(in super::super) fn heard_at(&self) -> Stamp {
-        self.command.map_or(Stamp(0), |(_, at)| at)
-    }
-
-    /// Takes an accepted command.
-    pub(in super::super) fn take(&mut self, now: Stamp, source: Source, command: command::Remote) {
-        self.authority = Some((source, now));
-        self.command = Some((command, now));
-    }
-
-    /// FB13: the first that commands keeps the authority while it is fresh, for `ms`; that one, where it is another.
-    pub(in super::super) fn other_authority(
-        &mut self,
-        now: Stamp,
-        source: &Source,
-        ms: u64,
-    ) -> Option<&Source> {
-        let (authority, at) = self.authority.as_ref()?;
-        if authority == source || now.since(*at) > ms {
-            return None;
-        }
-        self.other = Some(now);
-        Some(authority)
-    }
-
-    /// Whether another source has commanded within `ms`.
-    pub(in super::super) fn in_conflict(&self, now: Stamp, ms: u64) -> bool {
-        self.other.is_some_and(|at| now.since(at) <= ms)
-    }
-
-    /// Notes a valid command for the proof of life.
-    pub(in super::super) fn prove(&mut self, now: Stamp) {
-        self.proofs.push_back(now);
-        while self.proofs.len() > PROOFS {
-            self.proofs.pop_front();
-        }
-    }
-
-    /// The row of valid commands is broken.
-    pub(in super::super) fn disprove(&mut self) {
-        self.proofs.clear();
-    }
-
-    /// FA14: there were enough valid commands in a row.
-    pub(in super::super) fn is_proven(&self, now: Stamp) -> bool {
-        let first = self.proofs.front();
-        self.proofs.len() >= PROOFS && first.is_some_and(|at| now.since(*at) <= PROOF_WINDOW_MS)
-    }
-
-    /// Notes why a command is not followed.
-    pub(in super::super) fn refuse(&mut self, now: Stamp, text: String) {
-        self.refusal = Some((text, now));
-    }
-
-    /// The last refusal, where it is younger than the last command that was accepted.
-    pub(in super::super) fn refused(&self) -> Option<&str> {
-        let (text, at) = self.refusal.as_ref()?;
-        (*at > self.heard_at()).then_some(text.as_str())
+        self.htc.command(now, ms).copied()
     }
 
     /// XTE, PNEY,001 or PNEY,002 was heard: what spoils it, if anything does, is kept for the officer (FA4, FA5).

@@ -5,10 +5,12 @@
 //! ship's constants and the authority of its source; the mode that follows it holds it against everything else that is
 //! heard. What is refused moves nothing, is said, and is TRACK FAIL when it lasts (TCS-8).
 
+mod authority;
 mod charted;
 mod dialogue;
 mod positions;
 
+pub(super) use authority::Authority;
 pub(super) use charted::{Charted, nearest};
 pub(super) use dialogue::{Remote, can_do};
 pub(super) use positions::Positions;

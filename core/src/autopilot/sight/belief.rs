@@ -7,7 +7,7 @@ use super::source::Refused;
 use super::speed::Measure;
 use crate::facts::Quantity;
 use crate::geo::Position;
-use crate::picture::Source;
+use crate::picture::{Bearing, Source};
 use crate::post::Seen;
 use crate::time::Stamp;
 use alloc::vec::Vec;
@@ -21,6 +21,17 @@ impl Sight {
     /// The compass in use.
     pub(in super::super) const fn compass(&self) -> Option<&Source> {
         self.headings.compasses.in_use()
+    }
+
+    /// What the compass in use says, where it is a magnetic one and still believed.
+    pub(in super::super) fn magnetic_compass<'a>(
+        &'a self,
+        seen: Seen<'_>,
+    ) -> Option<(&'a Source, Bearing)> {
+        let source = self.compass().filter(|_| self.heading().is_some())?;
+        let heard = (seen.picture.headings.iter()).find(|heard| heard.source == *source);
+        let said = seen.fresh(heard, Quantity::Heading)?;
+        said.is_magnetic().then_some((source, said))
     }
 
     /// What the heading monitor has to say (AP-10).

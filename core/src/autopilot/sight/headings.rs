@@ -158,7 +158,7 @@ impl Headings {
 }
 
 /// The variation that is heard, else the one that is set; degrees, east positive (AP-9).
-fn variation(picture: &Picture, now: Stamp, settings: &Settings) -> Option<f64> {
+pub(super) fn variation(picture: &Picture, now: Stamp, settings: &Settings) -> Option<f64> {
     picture.variation(now).or(settings.variation)
 }
 

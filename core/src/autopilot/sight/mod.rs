@@ -283,6 +283,11 @@ impl Sight {
         self.headings.north == North::Magnetic
     }
 
+    /// The variation that is heard, else the one that is set; degrees, east positive (AP-9).
+    pub(super) fn variation(&self, seen: Seen<'_>, settings: &Settings) -> Option<f64> {
+        headings::variation(seen.picture, seen.now, settings)
+    }
+
     /// What the laws are told; absent without a heading. `order` is the one that the rudder has.
     pub(super) fn measured(
         &self,

@@ -11,6 +11,7 @@
 
 mod angle;
 mod heading;
+mod intercept;
 mod measured;
 mod observer;
 mod rate;
@@ -19,6 +20,7 @@ mod settings;
 mod ship;
 mod track;
 
+pub use intercept::Intercept;
 pub use measured::Measured;
 pub use settings::SteeringSettings;
 pub use ship::has_own_constants;

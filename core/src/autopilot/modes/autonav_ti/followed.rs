@@ -1,6 +1,7 @@
 //! What AutoNAV Ti follows, and what is left of it where it is lost (TCS-8).
 
 use super::super::auto::{Auto, Finish};
+use super::super::off_track::OffTrack;
 use crate::autopilot::facts::Facts;
 use crate::autopilot::steering::TurnBy;
 use crate::geo::Point;
@@ -18,10 +19,8 @@ pub struct AutonavTi {
     pub radius: Option<Radius>,
     /// The commanded track, as accepted.
     pub track: Course,
-    /// The ship has been within half the off-track limit since track control began.
-    captured: bool,
-    /// Since when she is off the track.
-    off_track_since: Option<Stamp>,
+    /// Whether the ship has left the track.
+    pub(super) off_track: OffTrack,
     /// When all that is heard last agreed with what is steered.
     pub(super) agreed: Stamp,
     /// Accepted commands without a radius in a row.
@@ -45,9 +44,6 @@ pub(super) struct TurnPlan {
     pub(super) open: bool,
 }
 
-/// Off the track for so long before the alarm.
-const OFF_TRACK_MS: u64 = 5_000;
-
 impl AutonavTi {
     /// Begins on a leg.
     #[must_use]
@@ -56,8 +52,7 @@ impl AutonavTi {
             path,
             radius,
             track: path.course_in,
-            captured: false,
-            off_track_since: None,
+            off_track: OffTrack::new(),
             agreed: now,
             straight: 0,
             wheel_over: None,
@@ -83,17 +78,5 @@ impl AutonavTi {
                 wait: before_arc.then_some(self.path),
             },
         )
-    }
-
-    /// MSC.74(69) A2 5.3.6: the ship was on the track, and has been off it for long enough.
-    pub(super) fn off_for_long(&mut self, now: Stamp, off: Option<f64>, limit: f64) -> bool {
-        let outside = off.is_some_and(|off| off > limit);
-        self.captured |= off.is_some_and(|off| off < 0.5 * limit);
-        if !outside || !self.captured {
-            self.off_track_since = None;
-            return false;
-        }
-        let since = *self.off_track_since.get_or_insert(now);
-        now.since(since) >= OFF_TRACK_MS
     }
 }

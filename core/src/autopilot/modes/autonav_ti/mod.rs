@@ -7,10 +7,9 @@ mod lay;
 
 use super::former::Former;
 use super::need::{ENTRY, Need};
-use super::state::{Listed, State};
+use super::state::{Listed, State, Told};
 use super::table::{Limit, ModeName, OnLoss, Row};
 use crate::autopilot::facts::{Facts, Outlook};
-use crate::autopilot::remote::Charted;
 use crate::autopilot::steering::Demand;
 use crate::command::Remote;
 use crate::geo::Point;
@@ -128,15 +127,10 @@ impl State for AutonavTi {
         }
     }
 
-    fn agree(
-        &mut self,
-        outlook: &Outlook<'_>,
-        command: Option<Remote>,
-        charted: Charted<'_>,
-    ) -> Result<(), String> {
-        match command {
+    fn agree(&mut self, outlook: &Outlook<'_>, told: Told<'_>) -> Result<(), String> {
+        match told.command {
             Some(Remote::Track { track, radius, .. }) => {
-                self.lay(outlook, charted, (track, radius))
+                self.lay(outlook, told.charted, (track, radius))
             }
             _ => Ok(()), // its age is watched
         }
@@ -163,6 +157,6 @@ impl State for AutonavTi {
     }
 
     fn has_left_the_track(&mut self, now: Stamp, off: Option<f64>, limit: f64) -> bool {
-        self.off_for_long(now, off, limit)
+        self.off_track.watch(now, off, limit)
     }
 }
