@@ -85,11 +85,11 @@ fn serial(name: &Spanned<String>, ports: &[Port]) -> Result<usize, Mistake> {
         let names: Vec<String> = (ports.iter().filter(|port| serial(port)))
             .map(|port| format!("\"{}\"", port.setup.name))
             .collect();
-        let text = format!(
-            "port = \"{}\" is no serial port; allowed are {}",
-            name.get_ref(),
-            names.join(", ")
-        );
+        let allowed = match names.as_slice() {
+            [] => "there is none".to_owned(),
+            names => format!("allowed are {}", names.join(", ")),
+        };
+        let text = format!("port = \"{}\" is no serial port; {allowed}", name.get_ref());
         (name.span(), text)
     })
 }
