@@ -21,6 +21,8 @@ const SETTLES: f64 = 3.2;
 struct Dialogue {
     name: String,
     ship: Vec<String>,
+    /// Further settings of the autopilot.
+    settings: String,
     /// Rules that it breaks.
     breaks: BTreeSet<String>,
     steps: Vec<Step>,
@@ -49,9 +51,13 @@ fn dialogues() -> Vec<Dialogue> {
             dialogues.push(Dialogue {
                 name: name.split(" | ").next().unwrap().to_owned(),
                 ship: cells[1..].iter().map(ToString::to_string).collect(),
+                settings: String::new(),
                 breaks: BTreeSet::new(),
                 steps: Vec::new(),
             });
+        } else if let Some(setting) = cells[0].strip_prefix("& ") {
+            let dialogue = dialogues.last_mut().unwrap();
+            dialogue.settings += &format!("{setting}\n");
         } else if let Some(rule) = cells[0].strip_prefix("! ") {
             let dialogue = dialogues.last_mut().unwrap();
             dialogue.breaks.insert(rule.to_owned());
@@ -126,7 +132,8 @@ fn sail(folder: &Path, dialogue: &Dialogue) -> Vec<String> {
     // The values that the document prints in AUTO.
     let mut text = format!(
         "roles = [\"autopilot\"]\nallow_output = true\n[ship]\nlength_m = 45\nspeed_kn = 20\ngain_per_s = 0.5\ntime_constant_s = 15\nforwarding_s = {FORWARDING}\n\
-         [autopilot]\nrudder_slew = 5.0\nexternal_tcs = true\nset_radius = 0.42\nrudder_limit = 16.0\noff_heading_limit = 20.0\n"
+         [autopilot]\nrudder_slew = 5.0\nexternal_tcs = true\nset_radius = 0.42\nrudder_limit = 16.0\noff_heading_limit = 20.0\n{}",
+        dialogue.settings
     );
     for port in ["ecdis", "gyro1", "gear"] {
         text += &format!(
@@ -142,9 +149,10 @@ fn sail(folder: &Path, dialogue: &Dialogue) -> Vec<String> {
     let ship = Ship::new(&cells);
     std::thread::spawn(move || {
         while let Some((_, order)) = gear.hear(SOON) {
-            if order.starts_with("$AGROR") {
-                let angle: f64 = fields(&order)[1].parse().unwrap_or(0.0);
-                gear.say(&format!("IIRSA,{angle:.2},A,,V"));
+            // Each rudder is at once where it was ordered.
+            if let ["$AGROR", starboard, _, port, port_status, _] = fields(&order)[..] {
+                let starboard: f64 = starboard.parse().unwrap_or(0.0);
+                gear.say(&format!("IIRSA,{starboard:.2},A,{port},{port_status}"));
             }
         }
     });
