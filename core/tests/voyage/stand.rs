@@ -36,6 +36,8 @@ impl Rig {
         assert_eq!(htd.steering_mode, Some(SteeringMode::Manual));
         assert_eq!(htd.override_status, Some(override_status));
         assert_eq!((htd.rudder_angle, htd.turn_mode), (None, None));
+        let limits = (htd.rudder_limit, htd.off_heading_limit);
+        assert_eq!(limits, (Some(35.0), Some(20.0)));
         assert_eq!(
             (
                 htd.radius,

@@ -179,9 +179,13 @@ impl Modes {
         };
         if row.gives_orders() {
             htd.turn_mode = Some(TurnMode::NotControlled);
-            htd.rudder_limit = Some(row.rudder_limit(facts.settings));
-            htd.off_heading_limit = Some(facts.settings.off_heading_limit);
         }
+        // AP-1: where no orders are given, the maximum rudder angle.
+        htd.rudder_limit = Some(match row.gives_orders() {
+            true => row.rudder_limit(facts.settings),
+            false => facts.settings.rudder_max,
+        });
+        htd.off_heading_limit = Some(facts.settings.off_heading_limit);
         self.mode.state().htd(facts, &mut htd);
         htd
     }
