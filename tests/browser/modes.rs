@@ -1,7 +1,7 @@
 //! The buttons of the modes: one that would be refused is greyed and says what it waits for; STANDBY never is (AP-6, AP-25).
 
 use std::time::Duration;
-use wheelover_core::view::{FaultKind, Order};
+use wheelover_core::view::{FaultKind, ModeRequest, Order};
 use wheelover_tests::browser::Browser;
 use wheelover_tests::page::Page;
 use wheelover_tests::program::Program;
@@ -66,6 +66,66 @@ async fn a_mode_that_would_be_refused_is_greyed_with_what_it_waits_for() {
     assert!(page.command(fault).await.ok);
     shows(&browser, "auto", "AUTO: no heading", "no heading").await;
     inert(&browser, "auto").await;
+    assert_eq!(browser.errors(), [] as [String; 0]);
+    browser.close().await;
+}
+
+/// Waits until the page shows this, and the autopilot is in that mode.
+async fn comes_to(browser: &Browser, mode: &str, set: &str) {
+    let script = format!(
+        "const value = (name) => document.querySelector(`[data-value=\"${{name}}\"]`); \
+        return value('mode').dataset.mode === {mode:?} && value('set-value').innerText.startsWith({set:?});"
+    );
+    browser
+        .until(&format!("{mode}: {set}"), LONG, &script)
+        .await;
+}
+
+// AP-21, AP-25: selected and set by press and confirm, and STANDBY has its place beside them.
+#[tokio::test]
+async fn the_modes_are_selected_and_set_by_press_and_confirm() {
+    let program = Program::start(&[]);
+    let browser = Browser::open().await;
+    let mut page = Page::open(program.address).await;
+    assert!(page.command(Order::Officer(false)).await.ok);
+    let standby = Order::Mode(ModeRequest::Standby);
+    assert!(page.command(standby).await.ok);
+    browser
+        .go(&format!("http://{}/#/modes", program.address))
+        .await;
+    let there = "return !!document.querySelector('[data-command=\"ffu_override\"]') \
+        && !document.querySelector('[data-command=\"ffu_override\"]').disabled;";
+    browser.until("the modes", LONG, there).await;
+    let reason = "DODGE is selected from AUTO, AutoNAV or WIND VANE only";
+    let told = format!(
+        "const b = document.querySelector('[data-command=\"dodge\"]'); \
+        return b.getAttribute('aria-disabled') === 'true' \
+        && document.querySelector('[data-closed=\"dodge\"]').innerText === {reason:?};"
+    );
+    browser.until("DODGE is closed", LONG, &told).await;
+    inert(&browser, "dodge").await;
+
+    let steps: [(&str, &[&str], &str, &str); 2] = [
+        (
+            "ffu_override",
+            &["set+10", "set-1"],
+            "ffu_override",
+            "RUDDER S 4°",
+        ),
+        ("river_pilot", &["set-10"], "river_pilot", "ROT P 10°/min"),
+    ];
+    for (mode, presses, key, set) in steps {
+        browser.press(mode).await;
+        browser.press("confirm").await;
+        comes_to(&browser, key, "").await;
+        for press in presses {
+            browser.press(press).await;
+        }
+        browser.press("confirm").await;
+        comes_to(&browser, key, set).await;
+    }
+    browser.press("standby").await;
+    comes_to(&browser, "standby", "nothing is set").await;
     assert_eq!(browser.errors(), [] as [String; 0]);
     browser.close().await;
 }

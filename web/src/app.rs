@@ -1,4 +1,4 @@
-//! The page's frame: top bar, alert bar, and the view that the address names (`#/bridge`, `#/dialogue`, `#/decoder`, `#/about`).
+//! The page's frame: top bar, alert bar, and the view that the address names (`#/bridge`, `#/modes`, `#/dialogue`, `#/decoder`, `#/about`).
 
 use crate::alerts::AlertBar;
 use crate::asking;

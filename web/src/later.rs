@@ -5,6 +5,7 @@
 use crate::about::About;
 use crate::decoder::Decoder;
 use crate::dialogue::Dialogue;
+use crate::modes::Modes;
 use crate::views::View;
 use leptos::prelude::*;
 use leptos::reactive::computed::ScopedFuture;
@@ -21,6 +22,8 @@ type Fetches = fn() -> Pin<Box<dyn Future<Output = Result<(), SplitLoaderError>>
 /// How the later views are opened.
 #[derive(Clone, Copy)]
 pub struct Parts {
+    /// Opens the modes.
+    pub modes: Opens,
     /// Opens the dialogue.
     pub dialogue: Opens,
     /// Opens the decoder.
@@ -36,12 +39,19 @@ impl Parts {
     #[must_use]
     pub fn here() -> Self {
         Self {
+            modes: || Box::pin(async { Ok(modes()) }),
             dialogue: || Box::pin(async { Ok(dialogue()) }),
             decoder: || Box::pin(async { Ok(decoder()) }),
             about: || Box::pin(async { Ok(about()) }),
             fetch: || Box::pin(async { Ok(()) }),
         }
     }
+}
+
+/// The modes.
+#[must_use]
+pub fn modes() -> AnyView {
+    view! { <Modes/> }.into_any()
 }
 
 /// The dialogue view.
@@ -80,6 +90,7 @@ pub(crate) fn Later(view: View) -> impl IntoView {
         way.set(Way::Asked);
         spawn_local(ScopedFuture::new(async move {
             let open = match view {
+                View::Modes => parts.modes,
                 View::Dialogue => parts.dialogue,
                 View::Decoder => parts.decoder,
                 View::About | View::Bridge => parts.about,

@@ -8,7 +8,8 @@
 //! `data-command` for buttons: `standby`, `auto`, `autonav`, `adjust-10`, `adjust-1`, `adjust+1`, `adjust+10`, `confirm`,
 //! `cancel`, `silence`, `acknowledge`, `speed-1` … `speed-60`, `officer`, `chart-track`, `chart-heading`, `chart-stop`,
 //! `fault-chart-silent`, `fault-gyro-jump`, `fault-position-jump`, `current`, `north-up`, `head-up`, `course-up`,
-//! `range-in`, `range-out`, `palette`. All that moves the rudder but STANDBY is pressed and then confirmed.
+//! `range-in`, `range-out`, `palette`; in the modes' view also `wind_vane`, `river_pilot`, `dodge`, `ffu_override`, `installation`, `autotuning`,
+//! `set-10`, `set-1`, `set+1`, `set+10`, `tack-port`, `tack-starboard`. All that moves the rudder but STANDBY is pressed and then confirmed.
 //!
 //! **Invariant:** nothing older than its limit is shown as live: ages are computed here, by a clock that nobody can set, before
 //! each picture that the browser paints.
@@ -54,6 +55,8 @@ pub mod later;
 pub mod link;
 #[cfg(target_arch = "wasm32")]
 mod lookup;
+#[cfg(target_arch = "wasm32")]
+mod modes;
 #[cfg(target_arch = "wasm32")]
 mod palette;
 #[cfg(target_arch = "wasm32")]

@@ -28,6 +28,11 @@ mod cut {
     use leptos::wasm_split::wasm_split;
     use wheelover_web::later::{self, Fetched, Parts};
 
+    #[wasm_split(modes, wasm_split_path = leptos::wasm_split, preload(fetch_modes), fallible)]
+    fn modes() -> Fetched {
+        Ok(later::modes())
+    }
+
     #[wasm_split(dialogue, wasm_split_path = leptos::wasm_split, preload(fetch_dialogue), fallible)]
     fn dialogue() -> Fetched {
         Ok(later::dialogue())
@@ -45,12 +50,14 @@ mod cut {
 
     pub(crate) fn parts() -> Parts {
         Parts {
+            modes: || Box::pin(modes()),
             dialogue: || Box::pin(dialogue()),
             decoder: || Box::pin(decoder()),
             about: || Box::pin(about()),
             fetch: || {
                 Box::pin(async {
                     // In the order in which they are likely to be wanted.
+                    fetch_modes().await?;
                     fetch_decoder().await?;
                     fetch_dialogue().await?;
                     fetch_about().await

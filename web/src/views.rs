@@ -5,6 +5,8 @@
 pub enum View {
     /// The bridge view.
     Bridge,
+    /// The modes besides AUTO and AutoNAV, and what is set in them.
+    Modes,
     /// Both directions of the dialogue.
     Dialogue,
     /// Lines explained.
@@ -18,6 +20,7 @@ impl View {
     #[must_use]
     pub fn of(hash: &str) -> Self {
         match hash {
+            "#/modes" => Self::Modes,
             "#/dialogue" => Self::Dialogue,
             "#/decoder" => Self::Decoder,
             "#/about" => Self::About,

@@ -16,40 +16,43 @@ const CONFIRM: f64 = 8_000.0;
 
 /// What a press asks for, until it is confirmed.
 #[derive(Clone, Debug, PartialEq)]
-enum Armed {
-    Auto,
-    Autonav,
-    Turn(f64),
+pub(crate) struct Armed {
+    pub(crate) order: Order,
+    /// What CONFIRM would do; that of a change of the heading is made where it is shown.
+    words: String,
+    /// Until when, steady milliseconds.
+    until: f64,
+    /// The frame that it was pressed beside (AP-26).
+    frame: Option<u64>,
 }
 
 impl Armed {
-    fn action(&self) -> Order {
-        match self {
-            Self::Auto => Order::Mode(ModeRequest::Auto),
-            Self::Autonav => Order::Mode(ModeRequest::Autonav),
-            Self::Turn(degrees) => Order::AdjustHeading(*degrees),
+    /// Pressed now.
+    pub(crate) fn new(deck: Deck, order: Order, words: String) -> Self {
+        Self {
+            order,
+            words,
+            until: steady() + CONFIRM,
+            frame: deck.frame(),
         }
     }
 
     /// What CONFIRM would do.
     fn words(&self, set: Option<f64>) -> String {
-        match self {
-            Self::Auto => "AUTO".to_owned(),
-            Self::Autonav => "AutoNAV".to_owned(),
-            Self::Turn(degrees) => match set {
-                Some(set) => format!("{}°", format::direction(Some(set + degrees))),
-                None => format!("{}°", format::sided(Some(*degrees), 0)),
-            },
+        let Order::AdjustHeading(degrees) = self.order else {
+            return self.words.clone();
+        };
+        match set {
+            Some(set) => format!("{}°", format::direction(Some(set + degrees))),
+            None => format!("{}°", format::sided(Some(degrees), 0)),
         }
     }
 }
 
-/// The control bar.
+/// The control bar; it confirms whatever is armed.
 #[component]
-pub(super) fn Control() -> impl IntoView {
+pub(crate) fn Control(armed: RwSignal<Option<Armed>>) -> impl IntoView {
     let deck = Deck::here();
-    // What waits for CONFIRM, until when, and the frame that it was pressed beside (AP-26).
-    let armed = RwSignal::new(None::<(Armed, f64, Option<u64>)>);
     let own = Memo::new(move |_| {
         deck.own
             .with(|own| own.as_ref().and_then(|s| s.own.clone()))
@@ -63,11 +66,8 @@ pub(super) fn Control() -> impl IntoView {
     // A press that is not confirmed lapses.
     Effect::new(move |_| {
         deck.readings.track();
-        if armed.with_untracked(|armed| {
-            armed
-                .as_ref()
-                .is_some_and(|(_, until, _)| steady() > *until)
-        }) {
+        if armed.with_untracked(|armed| armed.as_ref().is_some_and(|armed| steady() > armed.until))
+        {
             armed.set(None);
         }
     });
@@ -77,17 +77,19 @@ pub(super) fn Control() -> impl IntoView {
         set.track();
         armed.set(None);
     });
-    let arm = move |what: Armed| armed.set(Some((what, steady() + CONFIRM, deck.frame())));
+    let arm = move |order: Order, words: &str| {
+        armed.set(Some(Armed::new(deck, order, words.to_owned())));
+    };
     let nudge = move |degrees: f64| {
-        let before = match armed.get_untracked() {
-            Some((Armed::Turn(sum), ..)) => sum,
+        let before = match armed.get_untracked().map(|armed| armed.order) {
+            Some(Order::AdjustHeading(sum)) => sum,
             _ => 0.0,
         };
-        arm(Armed::Turn(before + degrees));
+        arm(Order::AdjustHeading(before + degrees), "");
     };
     let confirm = move |_| {
-        if let Some((what, _, frame)) = armed.get_untracked() {
-            deck.press("confirm", frame, what.action());
+        if let Some(armed) = armed.get_untracked() {
+            deck.press("confirm", armed.frame, armed.order);
         }
         armed.set(None);
     };
@@ -95,9 +97,9 @@ pub(super) fn Control() -> impl IntoView {
     let left = move || {
         deck.readings.track();
         armed.with(|armed| {
-            armed.as_ref().map_or_else(String::new, |(what, until, _)| {
-                let seconds = format::fixed(((until - steady()) / 1_000.0).max(0.0), 0);
-                format!("{} · {seconds} s", what.words(set.get()))
+            armed.as_ref().map_or_else(String::new, |armed| {
+                let seconds = format::fixed(((armed.until - steady()) / 1_000.0).max(0.0), 0);
+                format!("{} · {seconds} s", armed.words(set.get()))
             })
         })
     };
@@ -127,49 +129,38 @@ pub(super) fn Control() -> impl IntoView {
         };
         closed.with(of)
     };
-    let select = move |name: &'static str,
-                       text: &'static str,
-                       request,
-                       on: fn(ModeName) -> bool,
-                       what: Armed| {
-        let why = move || reason(request);
-        let line = move || {
-            why().map(|why| match why.strip_prefix(text) {
-                Some(_) => why,
-                None => format!("{text}: {why}"),
-            })
+    let select =
+        move |name: &'static str, text: &'static str, request, on: fn(ModeName) -> bool| {
+            let why = move || reason(request);
+            let line = move || {
+                why().map(|why| match why.strip_prefix(text) {
+                    Some(_) => why,
+                    None => format!("{text}: {why}"),
+                })
+            };
+            let key = view! {
+                <button
+                    type="button"
+                    data-command=name
+                    aria-pressed=move || pressed(mode.get().is_some_and(on))
+                    aria-disabled=move || pressed(why().is_some())
+                    aria-describedby=move || why().is_some().then_some(name)
+                    title=why
+                    disabled=move || !may.get()
+                    on:click=move |_| if why().is_none() { arm(Order::Mode(request), text) }
+                >
+                    {text}
+                </button>
+            };
+            let line = view! { <span id=name class="closed" data-closed=name>{line}</span> };
+            (key, line)
         };
-        let key = view! {
-            <button
-                type="button"
-                data-command=name
-                aria-pressed=move || pressed(mode.get().is_some_and(on))
-                aria-disabled=move || pressed(why().is_some())
-                aria-describedby=move || why().is_some().then_some(name)
-                title=why
-                disabled=move || !may.get()
-                on:click=move |_| if why().is_none() { arm(what.clone()) }
-            >
-                {text}
-            </button>
-        };
-        let line = view! { <span id=name class="closed" data-closed=name>{line}</span> };
-        (key, line)
-    };
-    let (auto, auto_closed) = select(
-        "auto",
-        "AUTO",
-        ModeRequest::Auto,
-        |mode| mode == ModeName::Auto,
-        Armed::Auto,
-    );
-    let (autonav, autonav_closed) = select(
-        "autonav",
-        "AutoNAV",
-        ModeRequest::Autonav,
-        |mode| matches!(mode, ModeName::AutonavTi | ModeName::AutonavTn),
-        Armed::Autonav,
-    );
+    let (auto, auto_closed) = select("auto", "AUTO", ModeRequest::Auto, |mode| {
+        mode == ModeName::Auto
+    });
+    let (autonav, autonav_closed) = select("autonav", "AutoNAV", ModeRequest::Autonav, |mode| {
+        matches!(mode, ModeName::AutonavTi | ModeName::AutonavTn)
+    });
     let adjust = move |name: &'static str, text: &'static str, degrees: f64| {
         view! {
             <button type="button" data-command=name disabled=move || !may.get() on:click=move |_| nudge(degrees)>
@@ -239,7 +230,7 @@ pub(super) fn Control() -> impl IntoView {
     }
 }
 
-const fn pressed(on: bool) -> &'static str {
+pub(crate) const fn pressed(on: bool) -> &'static str {
     if on { "true" } else { "false" }
 }
 

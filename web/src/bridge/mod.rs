@@ -1,6 +1,6 @@
 //! The bridge view: plan, instruments, route and the voyage's bar; the controls stand outside of what may scroll (AP-25).
 
-mod control;
+pub(crate) mod control;
 mod instruments;
 mod strip;
 mod voyage;
@@ -19,7 +19,7 @@ pub(crate) fn Bridge() -> impl IntoView {
                 <strip::Strip/>
                 <voyage::VoyageBar/>
             </div>
-            <control::Control/>
+            <control::Control armed=RwSignal::new(None)/>
         </main>
     }
 }
