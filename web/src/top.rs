@@ -103,7 +103,7 @@ pub(crate) fn TopBar(view: RwSignal<View>) -> impl IntoView {
             </div>
             <nav class="tabs">
                 {tab(View::Bridge, "#/bridge", "BRIDGE")}
-                {tab(View::Modes, "#/modes", "MODES")}
+                {tab(View::Modes, "#/modes", "MODE")}
                 {tab(View::Dialogue, "#/dialogue", "DIALOGUE")}
                 {tab(View::Decoder, "#/decoder", "DECODER")}
                 {tab(View::About, "#/about", "?")}
