@@ -114,9 +114,10 @@ impl Seen<'_> {
         heard.usable(quantity, self.now).cloned()
     }
 
-    /// Rudder angle as fed back.
-    pub(crate) fn rudder(self) -> Option<RudderAngle> {
-        self.fresh(self.picture.rudder.as_ref(), Quantity::Rudder)
+    /// Rudder angles as fed back: of the single rudder or the starboard one of a pair, and of the port one.
+    pub(crate) fn rudders(self) -> [Option<RudderAngle>; 2] {
+        let sides = [&self.picture.rudder, &self.picture.rudder_port];
+        sides.map(|side| self.fresh(side.as_ref(), Quantity::Rudder))
     }
 
     /// Course and speed over ground.

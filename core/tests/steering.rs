@@ -39,6 +39,7 @@ impl Sea {
                 approach_speed: speed,
                 current_north: drift * set.cos(),
                 current_east: drift * set.sin(),
+                ..Drive::default()
             },
             steering: Steering::new(SteeringSettings::default()),
             gear: Gear::default(),

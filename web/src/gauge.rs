@@ -5,8 +5,13 @@ use crate::format::fixed;
 
 /// The bar's picture: left, top, width and height in its own units.
 pub const VIEW: &str = "0 0 396 66";
+/// That of two bars, one under the other.
+const VIEW_OF_TWO: &str = "0 0 396 118";
 /// Where the bar begins and ends.
 pub const ENDS: (f64, f64) = (28.0, 368.0);
+
+/// Where the letter of a bar's side stands, of two.
+const LETTER: (f64, f64) = (6.0, 31.0);
 
 /// Where `value` stands on a bar that ends at plus and minus `full`; beyond it, at the end.
 #[must_use]
@@ -76,15 +81,44 @@ pub struct Bar {
     pub over: bool,
     /// Words under its middle.
     pub note: String,
+    /// What is and what is ordered on a second bar, to port of this one (DSP-3).
+    pub port: Option<[Option<f64>; 2]>,
 }
 
 impl Bar {
+    /// The picture's edges in its own units.
+    #[must_use]
+    pub fn view(&self) -> &'static str {
+        match self.port {
+            None => VIEW,
+            Some(_) => VIEW_OF_TWO,
+        }
+    }
+
     /// The bar as the inside of an SVG element, with `count` lines of its scale to each side.
     #[must_use]
     pub fn markup(&self, count: u32) -> String {
         let mut drawing = Drawing::new();
+        self.draw(&mut drawing, [self.value, self.order], count);
+        if let Some(port) = self.port {
+            drawing.word("strong", "start", LETTER, "S");
+            drawing.plain("<g transform=\"translate(0 52)\">");
+            drawing.word("strong", "start", LETTER, "P");
+            self.draw(&mut drawing, port, count);
+        }
+        let end = fixed(self.full, 0);
+        drawing.word("strong", "start", (ENDS.0, 63.0), end);
+        drawing.word("strong", "end", (ENDS.1, 63.0), end);
+        drawing.word("note", "middle", (place(0.0, 1.0), 63.0), &self.note);
+        if self.port.is_some() {
+            drawing.plain("</g>");
+        }
+        drawing.markup()
+    }
+
+    fn draw(&self, drawing: &mut Drawing, [value, order]: [Option<f64>; 2], count: u32) {
         drawing.bar("rail", ENDS.0, ENDS.1 - ENDS.0);
-        if let Some(value) = self.value {
+        if let Some(value) = value {
             let (left, width) = fill(value, self.full);
             let class = match value >= 0.0 {
                 _ if self.over => "over",
@@ -100,16 +134,11 @@ impl Bar {
         }
         let zero = place(0.0, 1.0);
         drawing.path("zero", "", &format!("M{} 8v36", fixed(zero, 1)));
-        if let Some(order) = self.order {
+        if let Some(order) = order {
             let left = fixed(place(order, self.full) - 9.0, 1);
             drawing.path("order", "", &format!("M{left} 0h18l-9 13z"));
         }
         drawing.path("tick", "", &ticks(count));
-        let end = fixed(self.full, 0);
-        drawing.word("strong", "start", (ENDS.0, 63.0), end);
-        drawing.word("strong", "end", (ENDS.1, 63.0), end);
-        drawing.word("note", "middle", (zero, 63.0), &self.note);
-        drawing.markup()
     }
 }
 
@@ -138,6 +167,49 @@ mod tests {
         assert!(drawn.contains("class=\"port\"") && drawn.contains("class=\"order\""));
         let over = Bar { over: true, ..port }.markup(7);
         assert!(over.contains("class=\"over\"") && !over.contains("class=\"port\""));
+    }
+
+    // DSP-3
+    #[test]
+    fn a_pair_of_rudders_has_two_scales_and_a_lost_one_stays_empty() {
+        let single = Bar {
+            value: Some(4.0),
+            order: Some(5.0),
+            full: 35.0,
+            limit: Some(20.0),
+            ..Bar::default()
+        };
+        let count = |bar: &Bar, what: &str| bar.markup(7).matches(what).count();
+        let pair = |port| Bar {
+            port: Some(port),
+            ..single.clone()
+        };
+        let both = pair([Some(-3.0), Some(5.0)]);
+        for (what, of_single, of_pair) in [
+            ("class=\"rail\"", 1, 2),
+            ("class=\"limit\"", 1, 2),
+            ("class=\"order\"", 1, 2),
+            ("class=\"stbd\"", 1, 1),
+            ("class=\"port\"", 0, 1),
+            (">S</text>", 0, 1),
+            (">P</text>", 0, 1),
+            (">35</text>", 2, 2),
+        ] {
+            assert_eq!(
+                (count(&single, what), count(&both, what)),
+                (of_single, of_pair),
+                "{what}"
+            );
+        }
+        let lost = pair([None, Some(5.0)]);
+        assert_eq!(
+            (
+                count(&lost, "class=\"port\""),
+                count(&lost, "class=\"order\"")
+            ),
+            (0, 2)
+        );
+        assert_ne!(single.view(), both.view());
     }
 
     #[test]

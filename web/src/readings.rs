@@ -4,9 +4,11 @@ use crate::believed;
 use crate::reading::Reading;
 use wheelover_core::geo::Position;
 use wheelover_core::limits::{Freshness, Quantity};
-use wheelover_core::picture::Picture;
+use wheelover_core::picture::{Heard, Picture};
 use wheelover_core::time::Stamp;
-use wheelover_core::units::{METRES_PER_NAUTICAL_MILE, METRES_PER_SECOND_PER_KNOT, wrap_180};
+use wheelover_core::units::{
+    METRES_PER_NAUTICAL_MILE, METRES_PER_SECOND_PER_KNOT, RudderAngle, wrap_180,
+};
 use wheelover_core::view::{Own, Snapshot};
 
 /// Everything the bridge view shows, made anew when something came, and four times a second.
@@ -34,6 +36,10 @@ pub struct Readings {
     pub order: Reading<f64>,
     /// Rudder angle, degrees.
     pub rudder: Reading<f64>,
+    /// Order to the port rudder of a pair, degrees.
+    pub port_order: Reading<f64>,
+    /// Angle of the port rudder of a pair, degrees.
+    pub port_rudder: Reading<f64>,
     /// Cross-track distance for display, metres, ship right of track positive.
     pub xtd: Reading<f64>,
     /// The one for control: in a turn, to the next leg.
@@ -77,6 +83,11 @@ impl Readings {
             g.course.map(|course| course.deg())
         });
         let htc = picture.htc.as_ref();
+        let angle = |r: &RudderAngle| Some(r.deg());
+        let order = |heard: Option<&Heard<RudderAngle>>, said: fn(&Own) -> Option<f64>| match own {
+            Some(own) => Reading::own(said(own)),
+            None => Reading::heard(picture, heard, Quantity::Report, now, angle),
+        };
         let mut readings = Self {
             now,
             hts: match own {
@@ -100,19 +111,10 @@ impl Readings {
                 Some(r.deg_per_min())
             }),
             rot_set: Reading::heard(picture, htc, Control, now, |c| c.htc.rate_of_turn),
-            order: match own {
-                Some(own) => Reading::own(own.rudder_order),
-                None => Reading::heard(
-                    picture,
-                    picture.order.as_ref(),
-                    Quantity::Report,
-                    now,
-                    |r| Some(r.deg()),
-                ),
-            },
-            rudder: Reading::heard(picture, picture.rudder.as_ref(), Rudder, now, |r| {
-                Some(r.deg())
-            }),
+            order: order(picture.order.as_ref(), |own| own.rudder_order),
+            port_order: order(picture.order_port.as_ref(), |own| own.port_order),
+            rudder: Reading::heard(picture, picture.rudder.as_ref(), Rudder, now, angle),
+            port_rudder: Reading::heard(picture, picture.rudder_port.as_ref(), Rudder, now, angle),
             xtd: distance(Reading::heard(
                 picture,
                 picture.xte.as_ref(),
@@ -203,6 +205,8 @@ impl Readings {
             rot_set: self.rot_set.lost(age),
             order: self.order.lost(age),
             rudder: self.rudder.lost(age),
+            port_order: self.port_order.lost(age),
+            port_rudder: self.port_rudder.lost(age),
             xtd: self.xtd.lost(age),
             xtd_next: self.xtd_next.lost(age),
             waypoint: self.waypoint.lost(age),

@@ -110,6 +110,8 @@ alerts! {
     ShipUnknown = 131, Caution, B, "SHIP CONSTANTS", "The ship's constants were not given: cautious steering, no track control";
     /// AP-4, FA11: feedback invalid or off the order.
     Rudder = 130, Alarm, B, "RUDDER", "The rudder does not follow its order or has no feedback. Steer by hand";
+    /// AP-4, FA11: the same of the port rudder of an independent pair.
+    RudderPort = 132, Alarm, B, "RUDDER PORT", "The port rudder does not follow its order or has no feedback";
     /// HTC-1: override reported by the chart system.
     Override = 140, Alarm, B, "OVERRIDE", "Override is in use. STANDBY: select a mode when it has ended";
     /// AP-22: what the steering stand says cannot be read.

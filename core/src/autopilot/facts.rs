@@ -46,6 +46,8 @@ pub(super) struct Outlook<'a> {
     pub(super) sight: &'a Sight,
     /// The ship's constants.
     pub(super) ship: &'a SteeringSettings,
+    /// The steering gear.
+    pub(super) gear: &'a Gear,
 }
 
 impl<'a> Outlook<'a> {
@@ -73,13 +75,15 @@ impl<'a> Outlook<'a> {
             seen,
             sight,
             ship: steering.ship(),
+            gear,
         }
     }
 
     /// What the laws are told; absent without a heading.
     pub(super) fn measured(&self) -> Option<Measured> {
         let facts = &self.facts;
-        (self.sight).measured(self.seen, facts.settings, facts.order)
+        let rudder = self.gear.acting(self.seen.rudders());
+        (self.sight).measured(self.seen, facts.settings, rudder)
     }
 
     /// Measured speed, else the set cruise speed (FA10).

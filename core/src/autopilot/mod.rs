@@ -9,6 +9,7 @@
 //! STANDBY is always granted.
 
 mod alerting;
+mod change;
 mod facts;
 pub mod gear;
 mod hears;
@@ -35,8 +36,9 @@ use alerting::Alerting;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
+use change::changed;
 use facts::Outlook;
-use gear::{Follows, Gear};
+use gear::{Angles, Gear};
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Autotuning, Dodge, FfuOverride, Finish, Former, Installation, Mode,
     ModeName, NfuOverride, RiverPilot, RudderHold, Standby, Track, WindVane,
@@ -92,7 +94,7 @@ impl Autopilot {
             sight: Sight::default(),
             modes: Modes::new(),
             steering: Steering::of(named_ship, &settings),
-            gear: Gear::default(),
+            gear: Gear::of(settings.rudders),
             settings,
             timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + SECOND_MS)]),
             now,
@@ -233,7 +235,7 @@ impl Autopilot {
         };
         if let Some(new) = self.sight.plane() {
             self.modes.carry(&|point| new.point(old.position(point)));
-            self.engage(now, self.gear.order());
+            self.engage(now, Angles::default());
         }
     }
 
@@ -266,15 +268,15 @@ impl Autopilot {
         // While orders are given the steering joins one law to the next by itself; else it begins anew.
         if !steered && self.modes.steers() {
             // The gear stands where the hand left it.
-            let left = self.post.seen(now).rudder().filter(|_| !ordered);
-            self.engage(now, left.unwrap_or(self.gear.order()));
+            let left = self.post.seen(now).rudders();
+            self.engage(now, left.map(|side| side.filter(|_| !ordered)));
         }
         decided
     }
 
-    /// Steering and gear begin anew at an order.
-    fn engage(&mut self, now: Stamp, order: RudderAngle) {
-        self.gear.engage(order);
+    /// Steering and gear begin anew, at the orders where the rudders were left or else at their own.
+    fn engage(&mut self, now: Stamp, left: Angles) {
+        self.gear.engage_at(left);
         let (_, outlook) = self.modes_and_outlook(now);
         if let Some(measured) = outlook.measured() {
             self.steering.engage(&measured);
@@ -305,14 +307,10 @@ impl Autopilot {
     fn watch(&mut self, now: Stamp) {
         let has_gear =
             (self.post.ports().iter()).any(|port| port.profile == Profile::Gear && port.output);
-        let order = self.modes.order(self.gear.order()).filter(|_| has_gear);
-        let (response, slew) = (self.post.seen(now).rudder(), self.settings.rudder_slew);
-        match self.gear.watch(now, order, response, slew) {
-            Follows::Yes => self.alerts.take(now, Notice::Rectified(Alert::Rudder)),
-            Follows::NotYet => {}
-            Follows::No(why) => {
-                (self.alerts).take(now, Notice::Raised(Alert::Rudder, why.into()));
-            }
+        let ordered = has_gear && self.modes.gives_orders();
+        let (responses, slew) = (self.post.seen(now).rudders(), self.settings.rudder_slew);
+        for notice in self.gear.watch(now, ordered, responses, slew) {
+            self.alerts.take(now, notice);
         }
         let (modes, outlook) = self.modes_and_outlook(now);
         let off = modes.is_off_heading(&outlook);
@@ -365,8 +363,10 @@ impl Autopilot {
             Order::Acknowledge(number) => self.alerts.acknowledge(now, *number),
             Order::Silence(silent) => Ok(self.alerts.silence(now, *silent).into()),
             Order::Setting { key, value } => {
-                self.settings.set(key, value).map_err(Refusal::because)?;
+                let steering = self.modes.gives_orders();
+                self.settings = changed(&self.settings, key, value, steering)?;
                 self.steering.change(&self.settings);
+                self.gear.fit(self.settings.rudders);
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal::because("not a command to the autopilot")),

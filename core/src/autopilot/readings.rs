@@ -183,10 +183,17 @@ impl Autopilot {
         self.post.picture.source_name(source)
     }
 
-    /// Rudder order in force; absent where none is given.
+    /// Rudder order in force; absent where none is given. Of a pair: of the single rudder that it is as good as (AP-4).
     #[must_use]
     pub fn rudder_order(&self) -> Option<RudderAngle> {
         self.modes.order(self.gear.order())
+    }
+
+    /// Orders in force to the single rudder or the starboard one of a pair, and to the port one.
+    #[must_use]
+    pub fn rudder_orders(&self) -> [Option<RudderAngle>; 2] {
+        let given = self.modes.gives_orders();
+        self.gear.orders().map(|order| order.filter(|_| given))
     }
 
     /// Rudder limit in force, degrees; in STANDBY the one that AUTO will have.

@@ -1,7 +1,6 @@
 //! What the autopilot says: HTD, RSA, ROR, HDG, HDM, HDT, HMS and HMR (AP-1 to AP-5, AP-10, AP-12).
 
 use super::facts::Outlook;
-use super::gear;
 use super::modes::Modes;
 use crate::nmea::{Hdg, Hdm, Hdt};
 use crate::station::{PortIndex, Role};
@@ -27,13 +26,13 @@ pub(super) fn due(
 }
 
 /// A sentence as it is now; absent where there is nothing to say, and what is not an autopilot's to say. `followed`: the
-/// rudder follows its order.
+/// single rudder follows its order.
 fn line(row: &Row, modes: &Modes, outlook: &Outlook<'_>, followed: bool) -> Option<String> {
-    let (sight, order) = (outlook.sight, modes.order(outlook.facts.order));
+    let (sight, gear) = (outlook.sight, outlook.gear);
     Some(match (row.saying, row.talker) {
         (Saying::Htd, Some(talker)) => modes.htd(outlook).line(talker),
-        (Saying::Rsa, Some(talker)) => gear::rsa(outlook.seen.rudder(), followed).line(talker),
-        (Saying::Ror, Some(talker)) => gear::ror(order).line(talker),
+        (Saying::Rsa, Some(talker)) => gear.rsa(outlook.seen.rudders(), followed).line(talker),
+        (Saying::Ror, Some(talker)) => gear.ror(modes.gives_orders()).line(talker),
         (Saying::Hms, Some(talker)) => sight.monitor().hms().line(talker),
         (Saying::Hmr, Some(talker)) => sight.monitor().hmr().line(talker),
         // AP-12: the heading goes on with its source's talker.

@@ -163,8 +163,10 @@ pub enum FaultKind {
     Cut,
     /// The value jumps: heading by 20 degrees, position by 0.2 nautical miles.
     Jump,
-    /// The value stays as it is.
+    /// The value stays as it is; of the gear, the single rudder or the starboard one of a pair sticks.
     Stuck,
+    /// The port rudder of a pair sticks.
+    StuckPort,
 }
 
 /// What became of an order.

@@ -86,10 +86,14 @@ macro_rules! facts {
             apparent_winds: many SignedAngle { mwv: read::mwv_apparent, vwr: read::vwr };
             /// Angles of the true wind from the bow, one a source.
             true_winds: many SignedAngle { mwv: read::mwv_true, vwt: read::vwt };
-            /// Rudder response.
+            /// Rudder response: of the single rudder, of the linked ones, or of the starboard one of a pair.
             rudder: one RudderAngle { rsa: read::rsa };
-            /// Rudder order.
+            /// Response of the port rudder of a pair.
+            rudder_port: one RudderAngle { rsa: read::rsa_port };
+            /// Rudder order, of the same side as the response.
             order: report RudderAngle { ror: read::ror } own { ror: read::ror };
+            /// Order of the port rudder of a pair.
+            order_port: report RudderAngle { ror: read::ror_port } own { ror: read::ror_port };
             /// Last HTC without a checksum or count fault; `at` only where it may be obeyed.
             htc: command Commanded { htc: read::htc };
             /// Cross-track distance for display.

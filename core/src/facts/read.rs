@@ -102,7 +102,9 @@ readers! {
     vwt(s: nmea::Vwt) -> SignedAngle { true, s.angle.map(SignedAngle::from_deg) }
     /// A single or linked rudder stands on the starboard side (AP-4).
     rsa(s: nmea::Rsa) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
+    rsa_port(s: nmea::Rsa) -> RudderAngle { is_valid(s.port_status), s.port.map(RudderAngle::from_deg) }
     ror(s: nmea::Ror) -> RudderAngle { is_valid(s.starboard_status), s.starboard.map(RudderAngle::from_deg) }
+    ror_port(s: nmea::Ror) -> RudderAngle { is_valid(s.port_status), s.port.map(RudderAngle::from_deg) }
     xte(s: nmea::Xte) -> nmea::Xte { measured(s.status, s.cycle_lock, s.mode), Some(s) }
     pney1(s: nmea::Pney1) -> nmea::Pney1 { measured(s.status, s.cycle_lock, s.mode), Some(s) }
     pney2(s: nmea::Pney2) -> nmea::Pney2 { true, Some(s) }

@@ -99,6 +99,7 @@ form!(World of WorldConfig {
     current_drift_mps: Speed = current_drift;
     wind_from_deg: Course = wind_from;
     wind_mps: Speed = wind_speed;
+    pair_of_rudders: bool = pair;
 } rest { seed: 0; ports: Vec::new(); noise: Noise::default(); });
 
 form!(Deviations of Noise {

@@ -62,6 +62,7 @@ impl<'a> BenchRun<'a> {
             approach_speed: speed,
             current_north: drift * libm::cos(set),
             current_east: drift * libm::sin(set),
+            ..Drive::default()
         };
         let mut run = Self {
             bench,

@@ -9,7 +9,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 use value::Slot;
-pub use value::{Group, Kind, Role, SteeringBy, Value};
+pub use value::{Differential, Group, Kind, Role, Rudders, SteeringBy, Value};
 
 /// One line of the settings table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,16 +27,16 @@ pub struct Definition {
 }
 
 macro_rules! kind {
-    (type switch) => { bool };
-    (type choice) => { SteeringBy };
-    (type number) => { f64 };
-    (type given) => { Option<f64> };
+    (type switch $($args:tt)*) => { bool };
+    (type choice $of:ident $default:ident) => { $of };
+    (type number $($args:tt)*) => { f64 };
+    (type given $($args:tt)*) => { Option<f64> };
     (default switch $default:literal) => { $default };
-    (default choice $default:ident) => { SteeringBy::$default };
+    (default choice $of:ident $default:ident) => { $of::$default };
     (default number $unit:literal, $min:literal ..= $max:literal, $decimals:literal, $default:literal) => { $default };
     (default given $unit:literal, $min:literal ..= $max:literal, $decimals:literal) => { None };
     (row switch $default:literal) => { Kind::Switch { default: $default } };
-    (row choice Radius) => { Kind::Choice { names: SteeringBy::NAMES, default: "radius" } };
+    (row choice $of:ident $default:ident) => { Kind::Choice { names: $of::NAMES, default: $of::$default.written() } };
     (row number $unit:literal, $min:literal ..= $max:literal, $decimals:literal, $default:literal) => {
         Kind::Number { unit: $unit, min: $min, max: $max, decimals: $decimals, default: Some($default) }
     };
@@ -50,7 +50,7 @@ macro_rules! settings {
         /// The parameters in force.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         pub struct Settings {
-            $(#[doc = $help] pub $name: kind!(type $kind),)*
+            $(#[doc = $help] pub $name: kind!(type $kind $($args)*),)*
         }
         /// The settings table.
         pub const TABLE: &[Definition] = &[$(Definition {
@@ -85,6 +85,7 @@ settings! {
     conning_forward_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Conning position, which is what is steered along the track, forward of midships; AP-16.";
     conning_starboard_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Conning position to starboard of the midship line; AP-16.";
     cruise_speed: number("kn", 1.0 ..= 40.0, 1, 12.0), Operator, SetValues, "Speed used for the gains while no speed is measured.";
+    differential: choice(Differential Caution), Engineer, Sensors, "A position without differential correction: a caution in track control, or no position for it; AP-7.";
     external_tcs: switch(false), Engineer, ChartSystem, "AutoNAV is enabled at installation; AP-6.";
     forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";
     gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
@@ -100,6 +101,7 @@ settings! {
     rudder_limit: number("deg", 2.0 ..= 35.0, 0, 20.0), Operator, Rudder, "Rudder limit of AUTO; not used in AutoNAV (AP-8).";
     rudder_max: number("deg", 10.0 ..= 45.0, 0, 35.0), Engineer, Rudder, "Maximum rudder angle of the gear.";
     rudder_slew: number("deg/s", 0.5 ..= 20.0, 1, 2.3), Engineer, Rudder, "Fastest change of the rudder order; AP-15.";
+    rudders: choice(Rudders Single), Engineer, Ship, "One rudder, two that are linked, or an independent pair with an order and a feedback each; AP-4.";
     set_radius: number("nm", 0.05 ..= 10.0, 2, 0.5), Operator, SetValues, "Radius of AUTO's turns; not used in AutoNAV.";
     set_rate: number("deg/min", 1.0 ..= 300.0, 0, 28.0), Operator, SetValues, "Rate of turn of AUTO's turns; not used in AutoNAV.";
     speed_kn: given("kn", 1.0 ..= 40.0, 1), Engineer, Ship, "Speed at which gain and time constant hold; AP-20.";
@@ -107,7 +109,7 @@ settings! {
     steady_turn_1: given("rad", -5.0 ..= 5.0, 4), Engineer, Ship, "Steady turn: factor of r'; AP-20.";
     steady_turn_3: given("rad", -500.0 ..= 500.0, 3), Engineer, Ship, "Steady turn: factor of r' to the third; AP-20.";
     steady_turn_5: given("rad", -5000.0 ..= 5000.0, 2), Engineer, Ship, "Steady turn: factor of r' to the fifth; AP-20.";
-    steering_by: choice(Radius), Operator, SetValues, "AUTO turns by the set radius or by the set rate of turn; AP-1.";
+    steering_by: choice(SteeringBy Radius), Operator, SetValues, "AUTO turns by the set radius or by the set rate of turn; AP-1.";
     step_hz: number("Hz", 5.0 ..= 20.0, 0, 10.0), Engineer, Rudder, "Control steps a second; AP-15.";
     time_constant_s: given("s", 1.0 ..= 1000.0, 1), Engineer, Ship, "Nomoto time constant T at speed_kn; AP-20.";
     track_caution: number("s", 1.0 ..= 10.0, 1, 3.0), Engineer, ChartSystem, "Age of the chart system's sentences at which a caution is raised; TCS-8.";

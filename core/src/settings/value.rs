@@ -85,18 +85,68 @@ pub enum Group {
     Ship,
 }
 
-/// How AUTO turns (AP-1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum SteeringBy {
-    /// By the set radius.
-    Radius,
-    /// By the set rate of turn.
-    Rate,
+/// A choice: its variants, and how each is written.
+macro_rules! choices {
+    ($($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $variant:ident = $text:literal,)* })*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum $name { $($(#[$of])* $variant,)* }
+
+        impl $name {
+            pub(super) const NAMES: &'static [&'static str] = &[$($text,)*];
+
+            pub(super) const fn written(self) -> &'static str {
+                match self { $(Self::$variant => $text,)* }
+            }
+
+            /// As a setting's value.
+            #[must_use]
+            pub fn value(self) -> Value {
+                Value::Choice(self.written().to_string())
+            }
+        }
+
+        impl Slot for $name {
+            fn value(&self) -> Value {
+                Self::value(*self)
+            }
+
+            fn put(&mut self, _: &Kind, value: &Value) -> Result<(), String> {
+                *self = match value {
+                    $(Value::Choice(name) if name == $text => Self::$variant,)*
+                    _ => return Err(format!("allowed are {}", Self::NAMES.join(", "))),
+                };
+                Ok(())
+            }
+        }
+    )*};
 }
 
-impl SteeringBy {
-    pub(super) const NAMES: &'static [&'static str] = &["radius", "rate"];
+choices! {
+    /// How AUTO turns (AP-1).
+    SteeringBy {
+        /// By the set radius.
+        Radius = "radius",
+        /// By the set rate of turn.
+        Rate = "rate",
+    }
+    /// What a position without differential correction is to track control (AP-7).
+    Differential {
+        /// It engages and goes on, with a caution.
+        Caution = "caution",
+        /// It is no position for track control.
+        Required = "required",
+    }
+    /// How the rudders hang together (AP-4).
+    Rudders {
+        /// One.
+        Single = "single",
+        /// Two that move as one, with one order and one feedback.
+        Linked = "linked",
+        /// Two, each with its own order and feedback.
+        Independent = "independent",
+    }
 }
 
 /// A place in the settings that holds one value.
@@ -140,25 +190,6 @@ impl Slot for Option<f64> {
         *self = match value {
             Value::Absent => None,
             _ => Some(number(kind, value)?),
-        };
-        Ok(())
-    }
-}
-
-impl Slot for SteeringBy {
-    fn value(&self) -> Value {
-        let name = match self {
-            Self::Radius => "radius",
-            Self::Rate => "rate",
-        };
-        Value::Choice(name.to_string())
-    }
-
-    fn put(&mut self, _: &Kind, value: &Value) -> Result<(), String> {
-        *self = match value {
-            Value::Choice(name) if name == "radius" => Self::Radius,
-            Value::Choice(name) if name == "rate" => Self::Rate,
-            _ => return Err(format!("allowed are {}", Self::NAMES.join(", "))),
         };
         Ok(())
     }

@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 8;
+pub const PROTOCOL: u32 = 9;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -176,8 +176,12 @@ pub struct Own {
     pub by_radius: bool,
     /// Rudder limit in force, degrees.
     pub rudder_limit: f64,
-    /// Rudder order, degrees, starboard positive.
+    /// Rudder order, degrees, starboard positive; of an independent pair the starboard one's.
     pub rudder_order: Option<f64>,
+    /// Whether there is an independent pair of rudders (AP-4).
+    pub pair: bool,
+    /// Order to the port one of the pair, degrees.
+    pub port_order: Option<f64>,
     /// Cross-track distance that the controller uses, metres, ship right of track positive.
     pub cross_track: Option<f64>,
     /// Farther off the track is an alarm, metres.

@@ -5,7 +5,7 @@ use crate::alerts::{Category, HeardAlert, Standing};
 use crate::autopilot::{Autopilot, Mode, ModeName};
 use crate::chart_system::ChartSystem;
 use crate::command::ModeRequest;
-use crate::settings::SteeringBy;
+use crate::settings::{Rudders, SteeringBy};
 use crate::station::Profile;
 use crate::time::Stamp;
 use crate::units::{Distance, Heading, RudderAngle};
@@ -17,6 +17,7 @@ use alloc::vec::Vec;
 pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
     let steered = autopilot.steered();
     let settings = autopilot.settings();
+    let [starboard, port] = autopilot.rudder_orders();
     Own {
         mode: autopilot.mode().name(),
         why: autopilot.why().to_string(),
@@ -36,7 +37,9 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         set_radius: settings.set_radius,
         by_radius: settings.steering_by == SteeringBy::Radius,
         rudder_limit: autopilot.rudder_limit(),
-        rudder_order: autopilot.rudder_order().map(RudderAngle::deg),
+        rudder_order: starboard.map(RudderAngle::deg),
+        pair: settings.rudders == Rudders::Independent,
+        port_order: port.map(RudderAngle::deg),
         cross_track: autopilot.cross_track().map(Distance::m),
         cross_track_limit: autopilot.off_track_limit(now),
         sources: sources(autopilot, now),

@@ -60,6 +60,8 @@ fn messages() -> Vec<String> {
                 by_radius: true,
                 rudder_limit: 35.0,
                 rudder_order: Some(-3.5),
+                pair: true,
+                port_order: Some(-3.0),
                 cross_track: Some(12.5),
                 cross_track_limit: 185.2,
                 sources: vec![("heading".into(), "gyro1/HE/HDT".into())],

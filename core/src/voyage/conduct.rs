@@ -106,7 +106,10 @@ impl Voyage {
                 Ok(text.into())
             }
             Order::Fault { cable, kind, on } => {
-                let sensor = matches!(kind, FaultKind::Jump | FaultKind::Stuck);
+                let sensor = matches!(
+                    kind,
+                    FaultKind::Jump | FaultKind::Stuck | FaultKind::StuckPort
+                );
                 let profile = self.cables.profile(cable);
                 let known = match (sensor, &mut self.world, profile) {
                     (_, _, None) => return Err(format!("no cable is named {cable}")),
@@ -116,7 +119,7 @@ impl Voyage {
                 };
                 if !known {
                     return Err(format!(
-                        "{cable} cannot do that: only gyro1, gps and log jump or stick"
+                        "{cable} cannot do that: only gyro1, gps and log jump or stick, and rudders stick"
                     ));
                 }
                 self.cables.injure(cable, *kind, *on);

@@ -41,15 +41,21 @@ pub struct Hull {
     pub north: f64,
     /// Metres east of the origin.
     pub east: f64,
-    /// Rudder, rad.
+    /// Rudder, rad; of a pair, the starboard one.
     pub rudder: f64,
+    /// The port one of a pair, rad.
+    pub port_rudder: f64,
 }
 
 /// What acts on the hull.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Drive {
-    /// Rudder order, rad.
+    /// Rudder order, rad; of a pair, to the starboard one.
     pub order: f64,
+    /// Order to the port one of a pair, rad; a single rudder has none.
+    pub port_order: Option<f64>,
+    /// Rudders that stick where they are: the single or the starboard one, the port one.
+    pub stuck: [bool; 2],
     /// Approach speed that the engine keeps, m/s.
     pub approach_speed: f64,
     /// Current towards north, m/s.
@@ -100,6 +106,12 @@ impl Hull {
             north: mean(k1.north, k2.north, k3.north, k4.north),
             east: mean(k1.east, k2.east, k3.east, k4.east),
             rudder: mean(k1.rudder, k2.rudder, k3.rudder, k4.rudder),
+            port_rudder: mean(
+                k1.port_rudder,
+                k2.port_rudder,
+                k3.port_rudder,
+                k4.port_rudder,
+            ),
         };
         *self = self.moved(&sum, dt);
     }
@@ -113,6 +125,7 @@ impl Hull {
             north: self.north + dt * by.north,
             east: self.east + dt * by.east,
             rudder: self.rudder + dt * by.rudder,
+            port_rudder: self.port_rudder + dt * by.port_rudder,
         }
     }
 
@@ -121,8 +134,11 @@ impl Hull {
         let u = (self.surge - drive.approach_speed) / speed;
         let v = self.sway / speed;
         let r = self.rate * LENGTH / speed;
-        // The model counts the rudder positive to port.
-        let d = -self.rudder;
+        // The model counts the rudder positive to port. Two rudders act as their mean.
+        let d = -match drive.port_order {
+            None => self.rudder,
+            Some(_) => 0.5 * (self.rudder + self.port_rudder),
+        };
         let (uu, vv, dd) = (u * u, v * v, d * d);
 
         let surge_force = 1e-5
@@ -148,7 +164,12 @@ impl Hull {
 
         let scale = speed * speed / LENGTH;
         let (north, east) = self.ground_velocity(drive);
-        let order = drive.order.clamp(-RUDDER_MAX, RUDDER_MAX);
+        let servo = |order: f64, rudder: f64, stuck: bool| {
+            let order = order.clamp(-RUDDER_MAX, RUDDER_MAX);
+            let rate = (order - rudder).clamp(-RUDDER_RATE, RUDDER_RATE);
+            if stuck { 0.0 } else { rate }
+        };
+        let port_order = drive.port_order.unwrap_or(self.port_rudder);
         Self {
             surge: surge_force * scale / M11,
             sway: (M33 * sway_force - M23 * yaw_moment) * scale / DETERMINANT,
@@ -156,7 +177,8 @@ impl Hull {
             heading: self.rate,
             north,
             east,
-            rudder: (order - self.rudder).clamp(-RUDDER_RATE, RUDDER_RATE),
+            rudder: servo(drive.order, self.rudder, drive.stuck[0]),
+            port_rudder: servo(port_order, self.port_rudder, drive.stuck[1]),
         }
     }
 }

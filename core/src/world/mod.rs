@@ -1,6 +1,6 @@
 //! The world station: a simulated ship with her steering gear and sensors.
 //!
-//! In: rudder orders (ROR) on the gear's port. Out: gyro HDT and ROT and rudder angle RSA ten times a second,
+//! In: rudder orders (ROR) on the gear's port. Out: gyro HDT and ROT and rudder angles RSA ten times a second,
 //! position GLL, velocity VTG, log VHW and, where there is any, wind MWV once a second. Absent on purpose: what wind does to
 //! the hull, roll, shallow water.
 //!
@@ -10,15 +10,19 @@ mod hull;
 mod noise;
 mod sensors;
 mod sentences;
+mod steering;
+mod truth;
 mod wind;
 
 pub use hull::{Drive, Hull};
 pub use noise::{Drift, Random, Waves};
 pub use sensors::Noise;
+use steering::Steering;
+pub use truth::Truth;
 
 use crate::command::{FaultKind, Order, Refusal};
 use crate::geo::{Plane, Point, Position};
-use crate::nmea::Sentence;
+use crate::nmea::{Ror, Sentence};
 use crate::picture::Picture;
 use crate::post::{self, Post, Station};
 use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
@@ -34,8 +38,6 @@ use serde::{Deserialize, Serialize};
 
 /// Milliseconds of one step.
 const STEP: u64 = 100;
-/// Age at which a rudder order is no longer obeyed, milliseconds.
-const ORDER_AGE: u64 = 2000;
 /// Where the plane is laid anew under the ship, metres from its origin.
 const PLANE_REACH: f64 = 3000.0;
 
@@ -62,6 +64,8 @@ pub struct WorldConfig {
     pub seed: u64,
     /// How noisy the sensors are.
     pub noise: Noise,
+    /// Whether she has an independent pair of rudders, which act as their mean; else a single one (AP-4).
+    pub pair: bool,
 }
 
 impl Default for WorldConfig {
@@ -93,25 +97,9 @@ impl Default for WorldConfig {
             ],
             seed: 1,
             noise: Noise::default(),
+            pair: false,
         }
     }
-}
-
-/// The truth that no sensor says, for tests and the trainer.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Truth {
-    /// Where the ship is (midship).
-    pub position: Position,
-    /// Where the bow points.
-    pub heading: Heading,
-    /// How fast it turns.
-    pub rate: RateOfTurn,
-    /// Speed ahead through the water.
-    pub water_speed: Speed,
-    /// Speed over ground.
-    pub ground_speed: Speed,
-    /// Rudder.
-    pub rudder: RudderAngle,
 }
 
 /// The ship's own times.
@@ -133,8 +121,7 @@ pub struct World {
     receiver: Receiver,
     log_injury: sensors::Injury,
     log_speed: f64,
-    /// Last valid rudder order (rad) and when it came.
-    order: Option<(f64, Stamp)>,
+    steering: Steering,
     post: Post,
     timers: Timers<Timer>,
     steps: u64,
@@ -166,7 +153,7 @@ impl World {
             receiver: Receiver::at(config.start),
             log_injury: sensors::Injury::default(),
             log_speed: speed,
-            order: None,
+            steering: Steering::default(),
             post: Post::new(Role::World, ports),
             timers: Timers::new(&[(Timer::Step, Stamp(0))]),
             steps: 0,
@@ -250,11 +237,14 @@ impl World {
     pub fn reset(&mut self, position: Position, heading: Heading) {
         self.hull = Hull::running(heading.rad(), self.config.speed.mps());
         self.plane = Plane::at(position);
-        self.order = None;
+        self.steering = self.steering.forgotten();
     }
 
-    /// Injures or heals the sensors of a profile; false where that profile or kind is not a sensor's.
+    /// Injures or heals the sensors of a profile, or a rudder; false where that is not what that profile can suffer.
     pub fn injure(&mut self, profile: Profile, kind: FaultKind, on: bool) -> bool {
+        if profile == Profile::Gear {
+            return self.steering.injure(kind, self.config.pair, on);
+        }
         let injury = match profile {
             Profile::Gyro1 => &mut self.compass.injury,
             Profile::Gps => &mut self.receiver.injury,
@@ -280,6 +270,10 @@ impl World {
             water_speed: Speed::from_mps(self.hull.surge),
             ground_speed: Speed::from_mps(libm::hypot(north, east)),
             rudder: RudderAngle::from_deg(self.hull.rudder.to_degrees()),
+            port_rudder: self
+                .config
+                .pair
+                .then(|| RudderAngle::from_deg(self.hull.port_rudder.to_degrees())),
         }
     }
 
@@ -299,10 +293,8 @@ impl World {
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         post::time_out(self, now, out);
         let dt = STEP as f64 / 1000.0;
-        self.drive.order = match self.order {
-            Some((order, at)) if now.since(at) <= ORDER_AGE => order,
-            _ => self.hull.rudder,
-        };
+        self.steering
+            .drive(now, &self.hull, self.config.pair, &mut self.drive);
         self.hull.step(&self.drive, dt);
         self.sailed += self.hull.surge * dt;
         if libm::hypot(self.hull.north, self.hull.east) > PLANE_REACH {
@@ -362,7 +354,7 @@ impl World {
         Some(match row.saying {
             Saying::Hdt => sentences::heading(self.compass.heading, talker),
             Saying::Rot => sentences::rate(self.compass.rate, talker),
-            Saying::Rsa => sentences::rudder(self.hull.rudder.to_degrees(), talker),
+            Saying::Rsa => Steering::rsa(&self.hull, self.config.pair).line(talker),
             Saying::Gll => sentences::position(self.receiver.position, now, talker),
             Saying::Vtg => sentences::velocity(self.receiver.course, self.receiver.speed, talker),
             Saying::Vhw => sentences::log(self.log_speed, talker),
@@ -384,9 +376,9 @@ impl Station for World {
 
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
         if self.post.ports()[port].profile == Profile::Gear
-            && let Some(order) = sentences::order(sentence)
+            && let Some(ror) = Ror::from_sentence(sentence)
         {
-            self.order = order.map(|angle| (angle.rad(), now));
+            self.steering.hear(now, &ror);
         }
     }
 }

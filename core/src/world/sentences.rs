@@ -1,12 +1,11 @@
-//! The few sentences that the world says and hears.
+//! The few sentences that the world's sensors say.
 
 use crate::geo::Position;
 use crate::nmea::{
-    DataStatus, Gll, Hdt, ModeIndicator, Mwv, Ror, Rot, Rsa, Sentence, UtcTime, Vhw, Vtg,
-    WindReference, WindUnit,
+    DataStatus, Gll, Hdt, ModeIndicator, Mwv, Rot, UtcTime, Vhw, Vtg, WindReference, WindUnit,
 };
 use crate::time::Stamp;
-use crate::units::{METRES_PER_SECOND_PER_KNOT, RudderAngle, wrap_360};
+use crate::units::{METRES_PER_SECOND_PER_KNOT, wrap_360};
 use alloc::string::String;
 
 const VALID: Option<DataStatus> = Some(DataStatus::Valid);
@@ -27,17 +26,6 @@ pub(super) fn rate(degrees_per_minute: f64, talker: &str) -> String {
         status: VALID,
     };
     rot.line(talker)
-}
-
-/// Steering gear: RSA with a single rudder.
-pub(super) fn rudder(degrees: f64, talker: &str) -> String {
-    let rsa = Rsa {
-        starboard: Some(degrees),
-        starboard_status: VALID,
-        port: None,
-        port_status: Some(DataStatus::Invalid),
-    };
-    rsa.line(talker)
 }
 
 /// Position receiver: GLL with differential correction.
@@ -88,11 +76,4 @@ pub(super) fn wind(angle: f64, apparent: bool, speed: f64, talker: &str) -> Stri
         status: VALID,
     };
     mwv.line(talker)
-}
-
-/// The rudder order of an ROR: the angle, or nothing where its status is not A. The outer none: another sentence.
-pub(super) fn order(sentence: &Sentence<'_>) -> Option<Option<RudderAngle>> {
-    let ror = Ror::from_sentence(sentence)?;
-    let angle = ror.starboard.map(RudderAngle::from_deg);
-    Some(angle.filter(|_| ror.starboard_status == VALID))
 }

@@ -126,6 +126,8 @@ fn no_alert_is_left_out() {
             Alert::ApbConflict,
             Alert::HscConflict,
             Alert::Stand,
+            // It takes a second rudder: `rudders`.
+            Alert::RudderPort,
         ])
         .collect();
     let missing: Vec<_> = Alert::ALL

@@ -1,19 +1,20 @@
 //! The voyage as it is shipped, with a tap on its cables: every line to the autopilot passes a filter that a test sets.
 
+mod plan;
 mod ships;
 mod wire;
 
+pub(crate) use plan::{off_path, route};
 use std::sync::{Arc, Mutex};
 use wheelover_core::alerts::Alert;
 use wheelover_core::autopilot::{Autopilot, Mode};
 use wheelover_core::chart_system::ChartSystem;
-use wheelover_core::geo::{Position, rhumb};
 use wheelover_core::nmea::{Htd, with_checksum};
-use wheelover_core::route::{Route, RouteLimits, Waypoint};
+use wheelover_core::route::Route;
 use wheelover_core::settings::Value;
 use wheelover_core::station::{PortSetup, Profile, Role, Switch};
 use wheelover_core::time::Stamp;
-use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
+use wheelover_core::units::{Course, Distance, Heading, Speed};
 use wheelover_core::view::{ChartRequest, FaultKind, ModeName, ModeRequest, Order, Origin};
 use wheelover_core::voyage::{Event, Voyage, VoyageConfig, VoyageOutput};
 use wheelover_core::world::{World, WorldConfig};
@@ -30,48 +31,32 @@ pub(crate) struct Rig {
     pub(crate) route: Route,
     /// HTD lines of the autopilot with their time.
     pub(crate) htd: Vec<(Stamp, Htd)>,
-    /// Rudder orders at each control step; absent in STANDBY.
+    /// Rudder orders at each control step, of a pair the starboard ones; absent in STANDBY.
     pub(crate) orders: Vec<(Stamp, Option<f64>)>,
+    /// Those to the port one of a pair.
+    port_orders: Vec<(Stamp, Option<f64>)>,
     /// Headings as the autopilot read them, one a step.
     pub(crate) read: Vec<f64>,
     /// Lines that left by ports to the outside.
     pub(crate) sent: Vec<(Stamp, String)>,
 }
 
-/// Legs of `(course, miles)`; a radius at each waypoint between them.
-pub(crate) fn route(legs: &[(f64, f64)], radius: f64) -> Route {
-    let mut place = Position {
-        lat: 59.8,
-        lon: 25.0,
-    };
-    let mut waypoints = vec![Waypoint::new("WP0", place, None)];
-    for (index, (course, miles)) in legs.iter().enumerate() {
-        place = rhumb::destination(place, Course::from_deg(*course), Distance::from_nm(*miles));
-        let last = index + 1 == legs.len();
-        let id = format!("WP{}", index + 1);
-        waypoints.push(Waypoint::new(
-            &id,
-            place,
-            (!last).then(|| Radius::from_nm(radius)),
-        ));
-    }
-    Route::new("test", waypoints, RouteLimits::default()).unwrap()
-}
-
 impl Rig {
     /// The ship on the first leg of `route`, half a cable from its beginning, 1 kn of current across.
     pub(crate) fn new(route: Route, seed: u64) -> Self {
-        Self::sailing(route.clone(), Some(route), seed, Vec::new(), 0.0)
+        Self::sailing(route.clone(), Some(route), seed, Vec::new())
     }
 
     /// The same in a wind of 15 kn from 40 degrees on the port bow.
     pub(crate) fn windy(route: Route, seed: u64) -> Self {
-        Self::sailing(route.clone(), Some(route), seed, Vec::new(), 15.0)
+        Self::sailing_as(route.clone(), Some(route), seed, Vec::new(), |config| {
+            config.world.wind_speed = Speed::from_knots(15.0);
+        })
     }
 
     /// The same where the chart system has no route.
     pub(crate) fn without_route(route: Route, seed: u64) -> Self {
-        Self::sailing(route, None, seed, Vec::new(), 0.0)
+        Self::sailing(route, None, seed, Vec::new())
     }
 
     fn sailing(
@@ -79,7 +64,16 @@ impl Rig {
         loaded: Option<Route>,
         seed: u64,
         ports: Vec<(Role, PortSetup)>,
-        wind: f64,
+    ) -> Self {
+        Self::sailing_as(route, loaded, seed, ports, |_| {})
+    }
+
+    fn sailing_as(
+        route: Route,
+        loaded: Option<Route>,
+        seed: u64,
+        ports: Vec<(Role, PortSetup)>,
+        change: impl FnOnce(&mut VoyageConfig),
     ) -> Self {
         let leg = route.leg(0);
         let mut config = VoyageConfig::embedded(seed);
@@ -93,16 +87,24 @@ impl Rig {
             current_set: Course::from_deg(leg.course().deg() + 90.0),
             current_drift: Speed::from_knots(1.0),
             wind_from: Course::from_deg(leg.course().deg() - 40.0),
-            wind_speed: Speed::from_knots(wind),
             ..WorldConfig::default()
         };
+        change(&mut config);
         Self::of(Voyage::configured(config), route)
+    }
+
+    /// Under track control on the first leg of two with a turn of 60 degrees, in a voyage that is made a little otherwise.
+    pub(crate) fn tracking_as(change: impl FnOnce(&mut VoyageConfig)) -> Self {
+        let route = route(&[(245.0, 2.5), (305.0, 2.5)], 0.5);
+        let mut rig = Self::sailing_as(route.clone(), Some(route), 3, Vec::new(), change);
+        rig.engage();
+        rig
     }
 
     /// Under track control, with real ports besides: whose, and what.
     pub(crate) fn tracking_with(ports: Vec<(Role, PortSetup)>) -> Self {
         let route = route(&[(245.0, 2.5), (305.0, 2.5)], 0.5);
-        let mut rig = Self::sailing(route.clone(), Some(route), 3, ports, 0.0);
+        let mut rig = Self::sailing(route.clone(), Some(route), 3, ports);
         rig.engage();
         rig
     }
@@ -119,6 +121,7 @@ impl Rig {
             route,
             htd: Vec::new(),
             orders: Vec::new(),
+            port_orders: Vec::new(),
             read: Vec::new(),
             sent: Vec::new(),
         };
@@ -272,8 +275,10 @@ impl Rig {
         self.now = self.now + 100;
         self.event(Event::Tick);
         self.htd.append(&mut self.wire.lock().unwrap().htd);
-        let order = self.autopilot().rudder_order().map(|order| order.deg());
+        let orders = self.autopilot().rudder_orders();
+        let [order, port] = orders.map(|order| order.map(|order| order.deg()));
         self.orders.push((self.now, order));
+        self.port_orders.push((self.now, port));
         let read = self.autopilot().picture().heading(self.now);
         let read = read.and_then(|read| Some(read.value.true_heading(None)?.deg()));
         self.read.extend(read);
@@ -346,7 +351,8 @@ impl Rig {
 
     /// FA6: every step of the order within slew and limit, from the first order on.
     pub(crate) fn check_orders(&self) {
-        for pair in self.orders.windows(2) {
+        let sides = [&self.orders, &self.port_orders];
+        for pair in sides.into_iter().flat_map(|side| side.windows(2)) {
             if let [(from, Some(before)), (at, Some(order))] = pair {
                 let step = (order - before).abs();
                 assert!(
@@ -357,17 +363,6 @@ impl Rig {
                 assert!(order.abs() <= 35.0 + 1e-9, "order {order}");
             }
         }
-    }
-}
-
-/// Distance of the leg or arc that belongs to the chart system's situation, metres, without sign.
-pub(crate) fn off_path(route: &Route, chart: &ChartSystem, position: Position) -> f64 {
-    let index = chart.leg().unwrap_or(0);
-    let on_arc = chart.situation() == 4;
-    let leg = route.leg(index);
-    match route.turn_after(index) {
-        Some(turn) if on_arc => turn.cross_track(position).m().abs(),
-        _ => leg.cross_track(position).m().abs(),
     }
 }
 

@@ -10,19 +10,13 @@ use toml::{Spanned, Value};
 use wheelover_core::voyage::Role;
 
 /// Keys of the file, its sections, ports and ship.
-const KEYS: [&str; 5] = [
-    "commissioning",
-    "gear",
-    "rudder_forward_m",
-    "rudders",
-    "skipped_by",
-];
+const KEYS: [&str; 4] = ["commissioning", "gear", "rudder_forward_m", "skipped_by"];
 
 /// Profiles of ports.
 const PROFILES: [&str; 3] = ["hmi", "imu", "targets"];
 
 /// Keys of `[ship]` that only some stations use.
-const SHIP: [(&str, &[Role]); 15] = [
+const SHIP: [(&str, &[Role]); 16] = [
     ("model", &[Role::Autopilot, Role::World]),
     ("antenna_forward_m", &[Role::Autopilot, Role::ChartSystem]),
     ("antenna_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
@@ -30,6 +24,7 @@ const SHIP: [(&str, &[Role]); 15] = [
     ("conning_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
     ("rudder_max_deg", &[Role::Autopilot]),
     ("rudder_slew_deg_s", &[Role::Autopilot]),
+    ("rudders", &[Role::Autopilot, Role::World]),
     ("start_lat", &[Role::World]),
     ("start_lon", &[Role::World]),
     ("start_heading", &[Role::World]),

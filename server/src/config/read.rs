@@ -174,14 +174,8 @@ fn settings(
             return Err((key.span(), text));
         }
     }
-    let fixed = ship.get_ref();
-    let on_board = [
-        ("rudder_max", fixed.rudder_max_deg),
-        ("rudder_slew", fixed.rudder_slew_deg_s),
-    ];
-    let on_board = on_board.into_iter().chain(fixed.constants());
-    let on_board =
-        on_board.filter_map(|(name, value)| Some((name, Value::Number(value?), ship.span())));
+    let on_board = ship.get_ref().on_board();
+    let on_board = on_board.map(|(name, value)| (name, value, ship.span()));
     let written = written.into_iter().map(|(key, value)| {
         let span = value.span();
         let name = definition(key.get_ref()).map_or("", |line| line.name);

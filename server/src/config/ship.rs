@@ -1,6 +1,7 @@
 //! `[ship]`: the hull of the world station, and what is fixed on board.
 
 use serde::Deserialize;
+use wheelover_core::settings::{Rudders, Value};
 
 /// The ship of the world station, and what is fixed on board.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -24,6 +25,8 @@ pub(crate) struct Ship {
     pub(crate) rudder_max_deg: Option<f64>,
     /// Slew of the gear, degrees a second; none: the setting `rudder_slew`.
     pub(crate) rudder_slew_deg_s: Option<f64>,
+    /// How her rudders hang together, those of the world station's ship too; none: the setting `rudders` (AP-4).
+    pub(crate) rudders: Option<Rudders>,
     /// Where the world station starts; none: at the first waypoint.
     pub(crate) start_lat: Option<f64>,
     /// Where the world station starts; none: at the first waypoint.
@@ -67,6 +70,7 @@ impl Default for Ship {
             conning_starboard_m: 0.0,
             rudder_max_deg: None,
             rudder_slew_deg_s: None,
+            rudders: None,
             start_lat: None,
             start_lon: None,
             start_heading: None,
@@ -92,11 +96,21 @@ impl Ship {
         self.speed_kn.unwrap_or(15.0)
     }
 
-    /// Her constants and offsets by the names of the settings table (AP-16, AP-20).
-    pub(super) fn constants(&self) -> [(&'static str, Option<f64>); 13] {
+    /// What is fixed on board by the names of the settings table (AP-4, AP-16, AP-20).
+    pub(super) fn on_board(&self) -> impl Iterator<Item = (&'static str, Value)> {
+        let rudders = self.rudders.map(|rudders| ("rudders", rudders.value()));
+        let numbers = self.constants().into_iter();
+        let numbers = numbers.filter_map(|(name, value)| Some((name, Value::Number(value?))));
+        rudders.into_iter().chain(numbers)
+    }
+
+    /// Her constants and offsets.
+    fn constants(&self) -> [(&'static str, Option<f64>); 15] {
         let turn = |index: usize| self.steady_turn.map(|curve| curve[index]);
         let offset = |metres: f64| (metres != 0.0).then_some(metres);
         [
+            ("rudder_max", self.rudder_max_deg),
+            ("rudder_slew", self.rudder_slew_deg_s),
             ("antenna_forward_m", offset(self.antenna_forward_m)),
             ("antenna_starboard_m", offset(self.antenna_starboard_m)),
             ("conning_forward_m", offset(self.conning_forward_m)),

@@ -107,6 +107,11 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
     if ship.model.is_some() && built::ship_uses("model", &config.roles) {
         writeln!(out, "model = \"mariner\"")?;
     }
+    if let Some(rudders) = ship.rudders
+        && built::ship_uses("rudders", &config.roles)
+    {
+        writeln!(out, "rudders = {}", written(&rudders.value()))?;
+    }
     for (name, value) in [
         ("length_m", ship.length_m),
         ("beam_m", Some(ship.beam_m)),

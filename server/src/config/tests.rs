@@ -1,5 +1,7 @@
 //! What a configuration may say, and what is said about the rest.
 
+mod rudders;
+
 use super::in_force;
 use super::read::from_text;
 use crate::error::Error;
@@ -243,9 +245,8 @@ fn what_is_not_built_yet_is_refused_by_its_name() {
         5,
         &["unknown value `radar`", "`monitor`"],
     );
-    for key in ["rudder_forward_m", "rudders"] {
-        not_built(&format!("[ship]\nlength_m = 90\n{key} = 1.0\n"), 3, key);
-    }
+    let offset = "[ship]\nlength_m = 90\nrudder_forward_m = 1.0\n";
+    not_built(offset, 3, "rudder_forward_m");
     not_built("[gear]\nkind = \"ror\"\n", 1, "gear");
     not_built(
         "\n[commissioning]\nskipped_by = \"A\"\n",

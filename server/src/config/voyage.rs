@@ -4,6 +4,7 @@ use super::types::Config;
 use wheelover_core::autopilot::steering::{SteeringSettings, has_own_constants};
 use wheelover_core::chart_system::ChartConfig;
 use wheelover_core::route::embedded_start;
+use wheelover_core::settings::Rudders;
 use wheelover_core::station::PortSetup;
 use wheelover_core::station::Role;
 use wheelover_core::units::{Course, Heading, Speed};
@@ -93,6 +94,7 @@ impl Config {
             speed: Speed::from_knots(ship.speed()),
             current_set: Course::from_deg(ship.current_set),
             current_drift: Speed::from_knots(ship.current_drift_kn),
+            pair: self.settings.rudders == Rudders::Independent,
             ..WorldConfig::default()
         }
     }

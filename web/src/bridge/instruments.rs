@@ -6,6 +6,7 @@ use crate::readings::Readings;
 use crate::value::{Badge, Shown, Value, shown};
 use crate::{format, gauge, gauge::Bar, situation};
 use leptos::prelude::*;
+use wheelover_core::limits::Freshness;
 use wheelover_core::view::{self, ModeName};
 
 /// The right column.
@@ -64,7 +65,8 @@ fn Gauge(bar: Memo<Bar>, ticks: u32, label: &'static str) -> impl IntoView {
     view! {
         <svg
             class="gauge"
-            viewBox=gauge::VIEW
+            class:pair=move || bar.with(|bar| bar.port.is_some())
+            viewBox=move || bar.with(Bar::view)
             role="img"
             aria-label=label
             inner_html=move || bar.with(|bar| bar.markup(ticks))
@@ -81,13 +83,17 @@ fn RudderPanel() -> impl IntoView {
         let limit = deck
             .own
             .with(|own| own.as_ref()?.own.as_ref().map(|own| own.rudder_limit));
-        deck.readings.with(|r| Bar {
-            value: r.rudder.value,
-            order: r.order.value,
-            full: 35.0,
-            limit: limit.filter(|limit| *limit < 35.0),
-            over: false,
-            note: limited(deck),
+        deck.readings.with(|r| {
+            let (port, note) = pair(deck, r);
+            Bar {
+                value: r.rudder.value,
+                order: r.order.value,
+                full: 35.0,
+                limit: limit.filter(|limit| *limit < 35.0),
+                note,
+                port,
+                ..Bar::default()
+            }
         })
     });
     view! {
@@ -102,6 +108,19 @@ fn RudderPanel() -> impl IntoView {
             <Gauge bar ticks=7 label="rudder order and response"/>
         </section>
     }
+}
+
+/// What a second scale shows, where there is an independent pair of rudders, and the words under the last one (DSP-3).
+fn pair(deck: Deck, readings: &Readings) -> (Option<[Option<f64>; 2]>, String) {
+    let own = |of: &Option<view::Snapshot>| Some(of.as_ref()?.own.as_ref()?.pair);
+    let heard = readings.port_rudder.state != Freshness::Never;
+    let limit = limited(deck);
+    if !deck.own.with(own).unwrap_or(heard) {
+        return (None, limit);
+    }
+    let port = [readings.port_rudder.value, readings.port_order.value];
+    let [is, order] = port.map(|angle| format::sided(angle, 1));
+    (Some(port), format!("P {is} order {order} {limit}"))
 }
 
 fn limited(deck: Deck) -> String {
@@ -134,6 +153,7 @@ fn RatePanel() -> impl IntoView {
                 note: r.rot_set.value.map_or_else(String::new, |rate| {
                     format!("set {}", format::sided(Some(rate), 1))
                 }),
+                port: None,
             }
         })
     });
@@ -188,6 +208,7 @@ fn CrossTrackPanel() -> impl IntoView {
                 limit,
                 over,
                 note,
+                port: None,
             }
         })
     });

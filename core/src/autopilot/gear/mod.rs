@@ -1,22 +1,34 @@
 //! The steering gear: the order with its limit and slew, what the rudder makes of it, and what is said of both (AP-4, FA6, FA11).
 //!
-//! In: the rudder that is wanted, or an order that somebody else gave; the response. Out: the order, whether it is followed,
-//! RSA and ROR. One rudder stands here, on the starboard side of the sentences (AP-4). All that belongs to one rudder is in
-//! `rudder` (its order) and `response` (whether it follows), so a pair is two of each.
+//! In: the rudder that is wanted, or an order that somebody else gave; the responses. Out: the orders, whether they are followed,
+//! RSA and ROR. A single rudder, or linked ones, stand on the starboard side of the sentences. An independent pair acts as
+//! the mean of its two angles, so where one side has failed the other makes up for it, within its own limit:
 //!
-//! **Invariant:** `|order| <= limit` and `|order - last order| <= slew dt`, whatever is wanted (FA6).
+//! ```text
+//! both follow       order_s = order_p = wanted
+//! one has failed    order_healthy = 2 wanted - where the failed one is taken to stand;   order_failed = wanted
+//! ```
+//! The laws are told what the pair gives, so nothing winds up while the healthy side is at its limit.
+//!
+//! **Invariant:** of each side `|order| <= limit` and `|order - last order| <= slew dt`, whatever is wanted (FA6).
 
+mod pair;
 mod response;
 mod rudder;
+mod side;
+mod told;
 
+use super::notices::Notice;
 use super::steering::{Given, SteeringSettings, Terms, Wanted};
 use crate::nmea::{CommandSource, DataStatus, Ror, Rsa};
+use crate::settings::Rudders;
 use crate::time::Stamp;
 use crate::units::{Distance, Heading, RateOfTurn, RudderAngle};
-pub(super) use response::Follows;
-use response::Response;
-use rudder::Rudder;
 use serde::{Deserialize, Serialize};
+use side::Side;
+
+/// Angles of the single rudder or the starboard one of a pair, and of the port one.
+pub(super) type Angles = [Option<RudderAngle>; 2];
 
 /// A rudder order and why.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,24 +50,55 @@ pub struct Steered {
 /// The gear, as the autopilot has it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Gear {
-    rudder: Rudder,
-    response: Response,
+    /// The single rudder, the linked ones, or the starboard one of a pair.
+    starboard: Side,
+    /// The port one of an independent pair.
+    port: Option<Side>,
     steered: Option<Steered>,
 }
 
 impl Gear {
-    /// The order in force; where none is given, the last one.
+    /// A gear with these rudders.
     #[must_use]
-    pub const fn order(&self) -> RudderAngle {
-        RudderAngle::from_deg(self.rudder.order())
+    pub fn of(rudders: Rudders) -> Self {
+        let mut gear = Self::default();
+        gear.fit(rudders);
+        gear
+    }
+
+    /// Has other rudders from now on; a second one begins at the order of the first.
+    pub fn fit(&mut self, rudders: Rudders) {
+        self.port = match (rudders, self.port.take()) {
+            (Rudders::Independent, None) => Some(Side::beside(&self.starboard)),
+            (Rudders::Independent, pair) => pair,
+            (Rudders::Single | Rudders::Linked, _) => None,
+        };
+    }
+
+    /// The order in force; where none is given, the last one. Of a pair: the single rudder that it is as good as.
+    #[must_use]
+    pub fn order(&self) -> RudderAngle {
+        RudderAngle::from_deg(match &self.port {
+            None => self.starboard.order(),
+            Some(port) => pair::order(&self.starboard, port),
+        })
+    }
+
+    /// The order of each side, starboard or single first.
+    pub(super) fn orders(&self) -> Angles {
+        let order = |side: &Side| RudderAngle::from_deg(side.order());
+        [Some(order(&self.starboard)), self.port.as_ref().map(order)]
     }
 
     /// What became of the rudder that was wanted last, for the laws.
     #[must_use]
-    pub const fn given(&self) -> Given {
+    pub fn given(&self) -> Given {
         Given {
             order: self.order(),
-            cut: self.rudder.cut(),
+            cut: match &self.port {
+                None => self.starboard.rudder.cut(),
+                Some(port) => pair::cut(&self.starboard, port),
+            },
         }
     }
 
@@ -67,12 +110,26 @@ impl Gear {
 
     /// Takes over at an order that somebody else gave, without a bump (FA6).
     pub fn engage(&mut self, order: RudderAngle) {
-        self.rudder.engage(order.deg());
+        self.engage_at([Some(order); 2]);
+    }
+
+    /// Takes over where each rudder was left; at its own order where that is not known.
+    pub(super) fn engage_at(&mut self, left: Angles) {
+        for (side, left) in self.sides_mut().zip(left) {
+            let order = left.map_or(side.order(), RudderAngle::deg);
+            side.rudder.engage(order);
+        }
     }
 
     /// What is wanted next follows from something else: it is joined without a bump (FA6).
     pub fn join(&mut self) {
-        self.rudder.join();
+        for side in self.sides_mut() {
+            side.rudder.join();
+        }
+    }
+
+    fn sides_mut(&mut self) -> impl Iterator<Item = &mut Side> {
+        core::iter::once(&mut self.starboard).chain(&mut self.port)
     }
 
     /// Goes towards the wanted rudder for `dt` seconds, within the limit and the gear's own slew and maximum.
@@ -84,13 +141,18 @@ impl Gear {
         dt: f64,
     ) -> Steered {
         if wanted.joins {
-            self.rudder.join();
+            self.join();
         }
         if wanted.ordered {
-            self.rudder.obey();
+            self.sides_mut().for_each(|side| side.rudder.obey());
         }
         let limit = limit.deg().min(ship.rudder_max.deg());
-        let limited = self.rudder.step(wanted.rudder.deg(), limit, ship.slew, dt);
+        let rudder = wanted.rudder.deg();
+        let step = |side: &mut Side, wanted| side.rudder.step(wanted, limit, ship.slew, dt);
+        let limited = match &mut self.port {
+            None => step(&mut self.starboard, rudder),
+            Some(port) => pair::step(&mut self.starboard, port, rudder, step),
+        };
         let steered = Steered {
             order: self.order(),
             hts: wanted.hts,
@@ -108,37 +170,76 @@ impl Gear {
         self.steered = None;
     }
 
-    /// FA11, AP-4: holds the response against the order in force, absent where the gear is given none.
+    /// FA11, AP-4: holds the responses against the orders in force, where any are given, and says which rudder fails.
     pub(super) fn watch(
         &mut self,
         now: Stamp,
-        order: Option<RudderAngle>,
-        response: Option<RudderAngle>,
+        ordered: bool,
+        [first, second]: Angles,
         slew: f64,
-    ) -> Follows {
-        self.response.watch(now, order, response, slew)
+    ) -> impl Iterator<Item = Notice> {
+        let starboard = &mut self.starboard;
+        let said = match &mut self.port {
+            None => told::of_single(starboard.watch(now, ordered, first, slew)),
+            Some(port) => {
+                let first = starboard.watch_in_pair(now, ordered, first, slew);
+                let second = port.watch_in_pair(now, ordered, second, slew);
+                told::of_pair([first, second], starboard.has_failed() && port.has_failed())
+            }
+        };
+        said.into_iter().flatten()
+    }
+
+    /// The rudder that acts, for the laws: of a pair the mean of the sides that are believed; absent where none is.
+    pub(super) fn acting(&self, [first, second]: Angles) -> Option<RudderAngle> {
+        let starboard = self.starboard.acting(first);
+        let port = self.port.as_ref().and_then(|port| port.acting(second));
+        mean(starboard, port)
+    }
+
+    /// The rudder as a hand left it: of a pair the mean of the sides that say so.
+    pub(super) fn left(&self, [first, second]: Angles) -> Option<RudderAngle> {
+        let port = second.filter(|_| self.port.is_some());
+        mean(first.map(RudderAngle::deg), port.map(RudderAngle::deg))
+    }
+
+    /// AP-4: of a single rudder the port side is null with V. `followed`: no rudder fails.
+    pub(super) fn rsa(&self, [first, second]: Angles, followed: bool) -> Rsa {
+        let valid = match self.port {
+            None => followed,
+            Some(_) => !self.starboard.has_failed(),
+        };
+        let port = self.port.as_ref();
+        let second = second.filter(|_| port.is_some());
+        let port_valid = port.is_some_and(|port| !port.has_failed());
+        Rsa {
+            starboard: first.map(RudderAngle::deg),
+            starboard_status: Some(status(first.is_some() && valid)),
+            port: second.map(RudderAngle::deg),
+            port_status: Some(status(second.is_some() && port_valid)),
+        }
+    }
+
+    /// AP-1: where no order is given both sides are null with V. The order to a rudder that has failed goes on, with A.
+    pub(super) fn ror(&self, given: bool) -> Ror {
+        let said = |order: Option<RudderAngle>| order.filter(|_| given).map(RudderAngle::deg);
+        let [starboard, port] = self.orders().map(said);
+        Ror {
+            starboard,
+            starboard_status: Some(status(starboard.is_some())),
+            port,
+            port_status: Some(status(port.is_some())),
+            source: Some(CommandSource::Bridge),
+        }
     }
 }
 
-/// AP-4: one rudder; the port side is null with V. `valid`: the response may be used.
-pub(super) fn rsa(response: Option<RudderAngle>, valid: bool) -> Rsa {
-    Rsa {
-        starboard: response.map(RudderAngle::deg),
-        starboard_status: Some(status(response.is_some() && valid)),
-        port: None,
-        port_status: Some(DataStatus::Invalid),
-    }
-}
-
-/// AP-1: in STANDBY there is no order.
-pub(super) fn ror(order: Option<RudderAngle>) -> Ror {
-    Ror {
-        starboard: order.map(RudderAngle::deg),
-        starboard_status: Some(status(order.is_some())),
-        port: None,
-        port_status: Some(DataStatus::Invalid),
-        source: Some(CommandSource::Bridge),
-    }
+/// The mean of what is there, degrees.
+fn mean(one: Option<f64>, other: Option<f64>) -> Option<RudderAngle> {
+    Some(RudderAngle::from_deg(match (one, other) {
+        (Some(one), Some(other)) => 0.5 * (one + other),
+        (one, other) => one.or(other)?,
+    }))
 }
 
 const fn status(valid: bool) -> DataStatus {
@@ -148,3 +249,6 @@ const fn status(valid: bool) -> DataStatus {
         DataStatus::Invalid
     }
 }
+
+#[cfg(test)]
+mod tests;

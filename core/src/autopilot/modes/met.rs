@@ -8,6 +8,7 @@ use crate::autopilot::facts::Outlook;
 use crate::autopilot::remote::Charted;
 use crate::command::{ModeRequest, Refusal, Remote};
 use crate::limits::Quantity;
+use crate::settings::Differential;
 use crate::units::Radius;
 use alloc::format;
 
@@ -120,6 +121,10 @@ impl Modes {
             Need::Position => {
                 let fix = seen.picture.fix(seen.now);
                 sight.place(seen.now).is_some() && seen.fresh(fix, Quantity::Position).is_some()
+            }
+            Need::Differential => {
+                let required = outlook.facts.settings.differential == Differential::Required;
+                !required || sight.is_corrected()
             }
             Need::CrossTrack => charted.has_xte(),
             Need::ControlDistance => charted.pney1().is_some(),

@@ -63,6 +63,7 @@ needs! {
     Command: Lost::Watched("HTC"), "no valid HTC", "An accepted HTC for this mode.";
     ShipConstants: Lost::NotFollowed, "the ship's constants are not given: no track control (AP-20)", "The ship's own constants.";
     Position: Lost::Watched("position"), "no position", "A position that is believed.";
+    Differential: Lost::Watched("differential correction"), "no differential correction", "A position with differential correction, where the setting `differential` is `required` (AP-7).";
     CrossTrack: Lost::Watched("XTE"), "no valid XTE", "XTE with status A.";
     ControlDistance: Lost::Watched("PNEY,001"), "no valid PNEY,001", "PNEY,001 with status A.";
     Leg: Lost::NotFollowed, "PNEY,001 has no distance: no leg", "The distance in PNEY,001.";

@@ -216,6 +216,9 @@ impl Modes {
             Need::CrossTrack => picture.xte.as_ref().map(|heard| heard.at),
             Need::ControlDistance => picture.pney1.as_ref().map(|heard| heard.at),
             Need::Centre => picture.pney2.as_ref().map(|heard| heard.at),
+            Need::Differential if !self.has(outlook, need, self.mode.name()) => {
+                outlook.sight.last_corrected()
+            }
             Need::Position => picture.fixes.iter().map(|fix| fix.at).max(),
             _ => Some(now),
         }

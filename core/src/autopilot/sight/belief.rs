@@ -49,6 +49,16 @@ impl Sight {
         self.positions.in_use()
     }
 
+    /// Whether the position in use is corrected; as long as there is none, nothing says that it is not (AP-7).
+    pub(in super::super) const fn is_corrected(&self) -> bool {
+        self.correction.is_there()
+    }
+
+    /// When the position in use was corrected last; absent where it never was.
+    pub(in super::super) const fn last_corrected(&self) -> Option<Stamp> {
+        self.correction.last()
+    }
+
     /// Compasses and receivers that are heard and not believed (AP-9, FA8, FA9).
     pub(in super::super) fn refused_places(&self) -> Vec<Refused<'_>> {
         let compasses = self

@@ -5,6 +5,7 @@
 
 mod belief;
 mod compass;
+mod correction;
 mod guard;
 mod headings;
 mod monitor;
@@ -30,6 +31,7 @@ use crate::units::{Heading, RudderAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
+use correction::Correction;
 use headings::Headings;
 use north::North;
 use position::{PositionGuard, Said};
@@ -40,10 +42,6 @@ pub use source::Refused;
 use speed::{Measure, SpeedGuard};
 use wind::Winds;
 
-/// A rudder response that is off its order by more is no measure of the rudder that acts: the gear does not follow, or its
-/// feedback lies, and the gear says so (FA11).
-const NOT_FOLLOWED_DEG: f64 = 10.0;
-
 /// What is believed of the ship, and how each of its sources is judged.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sight {
@@ -51,6 +49,7 @@ pub(super) struct Sight {
     /// Whether position, ground and water come from the preferred source.
     preferred: [Preferred; 3],
     positions: PositionGuard,
+    correction: Correction,
     speeds: SpeedGuard,
     winds: Winds,
 }
@@ -119,8 +118,9 @@ impl Sight {
         let said = Notice::of(Alert::PositionJump, jumped);
         sighted.push(Sighted::Notice(said));
         let used = self.fix_in_use(seen);
-        let corrected = used.is_none_or(|heard| heard.value.corrected());
-        sighted.push(Sighted::Uncorrected(!corrected));
+        self.correction
+            .look(used.map(|heard| (heard.value.corrected(), heard.at)));
+        sighted.push(Sighted::Uncorrected(!self.correction.is_there()));
         if judged.jumped {
             sighted.push(Sighted::PositionJumped);
         }
@@ -288,21 +288,19 @@ impl Sight {
         headings::variation(seen.picture, seen.now, settings)
     }
 
-    /// What the laws are told; absent without a heading. `order` is the one that the rudder has.
+    /// What the laws are told; absent without a heading. `rudder` is the one that acts.
     pub(super) fn measured(
         &self,
         seen: Seen<'_>,
         settings: &Settings,
-        order: RudderAngle,
+        rudder: Option<RudderAngle>,
     ) -> Option<Measured> {
         // A course over ground is of true north: beside a magnetic heading it would tell of a drift that is none.
         let ground = seen.ground().filter(|_| !self.is_magnetic());
-        let follows =
-            |response: &RudderAngle| libm::fabs(response.deg() - order.deg()) <= NOT_FOLLOWED_DEG;
         Some(Measured {
             heading: self.headings.heading?,
             rate: self.headings.rate,
-            rudder: seen.rudder().filter(follows),
+            rudder,
             water_speed: Some(self.speed(settings)),
             ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
             position: self.positions.fix(seen.now),

@@ -38,6 +38,7 @@ impl Listed for AutonavTi {
             Need::Command,
             Need::ShipConstants,
             Need::Position,
+            Need::Differential,
             Need::CrossTrack,
             Need::ControlDistance,
             Need::Leg,
