@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use wheelover_core::nmea::Xte;
 use wheelover_core::view::ModeName;
 use wheelover_tests::browser::Browser;
-use wheelover_tests::program::Program;
+use wheelover_tests::program::{Program, binary};
 
 /// Shows a state, and waits until it is painted: what comes is drawn within a few pictures.
 async fn show(browser: &Browser, state: Value) {
@@ -87,5 +87,37 @@ async fn the_bridge_says_nothing_that_is_not_so() {
     show(&browser, over.state("far off")).await;
     assert_eq!(browser.run(fill).await, json!(["over", true]));
     assert_eq!(browser.errors(), [] as [String; 0]);
+    browser.close().await;
+}
+
+/// AP-17: the README, `--help` and the page say for which ships this is, and that it is not approved.
+#[tokio::test]
+async fn every_door_says_that_it_is_not_approved() {
+    let help = std::process::Command::new(binary()).arg("--help").output();
+    let help = String::from_utf8(help.unwrap().stdout).unwrap();
+    let program = Program::start(&[]);
+    let browser = Browser::open().await;
+    browser
+        .go(&format!("http://{}/#/about", program.address))
+        .await;
+    let there = "return /SOLAS/.test(document.querySelector('main.about')?.innerText ?? '');";
+    let long = std::time::Duration::from_secs(60);
+    browser
+        .until("what is said about the program", long, there)
+        .await;
+    let about = browser
+        .run("return document.querySelector('main.about').innerText;")
+        .await;
+    let readme = include_str!("../../README.md");
+    for (door, text) in [
+        ("README", readme),
+        ("--help", &help),
+        ("About", about.as_str().unwrap()),
+    ] {
+        let text = text.to_lowercase();
+        for words in ["not ", "approved", "solas", "leisure craft"] {
+            assert!(text.contains(words), "{door}: {words}");
+        }
+    }
     browser.close().await;
 }
