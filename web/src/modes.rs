@@ -17,7 +17,14 @@ type Row = (
     &'static str,
 );
 
-const MODES: [Row; 6] = [
+const MODES: [Row; 7] = [
+    (
+        ModeRequest::Track,
+        ModeName::Track,
+        "track",
+        "TRACK",
+        "follows the plotter's route",
+    ),
     (
         ModeRequest::WindVane,
         ModeName::WindVane,

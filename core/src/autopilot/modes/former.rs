@@ -10,6 +10,8 @@ pub enum Former {
     Auto(Heading),
     /// AutoNAV, as the chart system commands by then.
     Autonav,
+    /// TRACK, on the leg that the plotter is on by then.
+    Track,
     /// WIND VANE at this angle.
     WindVane {
         /// Starboard positive.

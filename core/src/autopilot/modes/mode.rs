@@ -131,7 +131,11 @@ impl Mode {
                 direction: *direction,
             }),
             (
-                Self::Auto(_) | Self::AutonavTn(_) | Self::AutonavTi(_) | Self::WindVane(_),
+                Self::Auto(_)
+                | Self::AutonavTn(_)
+                | Self::AutonavTi(_)
+                | Self::Track(_)
+                | Self::WindVane(_),
                 Event::Dodge { base, former },
             ) => Self::Dodge(Dodge::on(*base, *former)),
             (Self::Auto(auto), Event::Autotuning) => {
@@ -140,7 +144,7 @@ impl Mode {
             (Self::WindVane(_) | Self::Dodge(_) | Self::Autotuning(_), Event::AutoOn(set)) => {
                 Self::Auto(Auto::on(*set))
             }
-            (Self::Auto(_), Event::EngageTrack(track)) => Self::Track(*track),
+            (Self::Auto(_) | Self::Dodge(_), Event::EngageTrack(track)) => Self::Track(*track),
             (
                 mode @ (Self::AutonavTi(_) | Self::AutonavTn(_) | Self::Track(_)),
                 Event::TrackFail(cause),

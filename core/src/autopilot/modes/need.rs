@@ -56,7 +56,7 @@ needs! {
     InStandby: Lost::AtEntry, "INSTALLATION is selected from STANDBY only", "STANDBY is on.";
     AutoSteers: Lost::AtEntry, "AUTOTUNING is selected from AUTO only", "AUTO holds its heading, and finishes no turn.";
     SteadySpeed: Lost::AtEntry, "the speed has not been steady for 30 s", "The measured speed was within half a knot for 30 s.";
-    Dodgeable: Lost::AtEntry, "DODGE is selected from AUTO, AutoNAV or WIND VANE only", "A mode to return to.";
+    Dodgeable: Lost::AtEntry, "DODGE is selected from AUTO, AutoNAV, TRACK or WIND VANE only", "A mode to return to.";
     Heading: Lost::RudderHold, "no heading", "A heading that is believed.";
     Wind: Lost::Auto, "no wind is heard", "MWV, VWR or VWT of the wind that is set: apparent or true.";
     MeasuredSpeed: Lost::NotFollowed, "no measured speed", "A speed through the water or over ground; the set cruise speed where it is lost (FA10).";

@@ -8,6 +8,7 @@ use super::mode::{Mode, row};
 use super::need::Need;
 use super::part::Modes;
 use super::set_value::SetValue;
+use super::track::Track;
 use crate::alerts::Alert;
 use crate::autopilot::facts::Outlook;
 use crate::autopilot::notices::Notices;
@@ -171,6 +172,10 @@ impl Modes {
         let returned = match dodge.former {
             Former::Auto(set) => Ok(Event::AutoOn(set)),
             Former::Autonav => self.resumed(outlook),
+            Former::Track => self
+                .proven_leg(outlook)
+                .map(|leg| Event::EngageTrack(Track::on(leg, facts.heading)))
+                .ok_or_else(|| Need::Plotted.missing().to_string()),
             Former::WindVane { angle, apparent } => outlook
                 .sight
                 .wind(apparent)

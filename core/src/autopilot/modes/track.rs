@@ -1,6 +1,7 @@
 //! TRACK: a plotter's route is followed by its APB (AP-14, EMC-3).
 
 use super::auto::turns_by;
+use super::former::Former;
 use super::need::Need;
 use super::off_track::OffTrack;
 use super::state::{Listed, State, Told};
@@ -89,6 +90,10 @@ impl State for Track {
 
     fn hts(&self, _: &Facts<'_>) -> Option<Heading> {
         Some(self.hts)
+    }
+
+    fn former(&self) -> Option<Former> {
+        Some(Former::Track)
     }
 
     fn htd(&self, _: &Facts<'_>, htd: &mut Htd) {

@@ -81,7 +81,7 @@ fn a_plotters_route_is_sailed_leg_by_leg() {
         let shown = rig.autopilot().cross_track().unwrap().m();
         assert!((shown - off(&rig, 0)).abs() < 10.0, "{case}: {shown}");
         // The waypoint is reached, said, and the next leg taken.
-        rig.follow(&mut plotter, 60, &whole);
+        rig.follow(&mut plotter, 90, &whole);
         assert!(rig.raised(Alert::Arrival), "{case}");
         rig.follow(&mut plotter, 540, &whole);
         assert_eq!((rig.mode(), plotter.leg), (ModeName::Track, 1), "{case}");
@@ -110,7 +110,7 @@ fn a_leg_abeam_is_met_without_a_step_and_without_overshoot() {
         rig.command(Order::SetHeading(90.0 + side / 2.0)).unwrap();
         rig.follow(&mut plotter, 120, &whole);
         rig.command(Order::SetHeading(90.0)).unwrap();
-        rig.follow(&mut plotter, 60, &whole);
+        rig.follow(&mut plotter, 90, &whole);
         let begun = off(&rig, 0);
         assert!(begun * side > 40_000.0, "{begun}");
         rig.command(Order::Mode(ModeRequest::Track)).unwrap();
@@ -212,4 +212,37 @@ fn a_lost_heading_holds_the_rudder() {
     rig.follow(&mut plotter, 4, &whole);
     assert_eq!(rig.mode(), ModeName::RudderHold);
     rig.check_orders();
+}
+
+// AP-21, FA6: round something and back to the plotter's leg; where the plotter has fallen silent meanwhile, to AUTO.
+#[test]
+fn dodge_leaves_track_and_comes_back_to_it_where_the_plotter_still_speaks() {
+    for silent in [false, true] {
+        let mut plotter = Plotter::new(&plan());
+        let mut rig = in_track(&mut plotter, 0.0);
+        rig.follow(&mut plotter, 20, &whole);
+        rig.command(Order::Mode(ModeRequest::Dodge)).unwrap();
+        rig.command(Order::SetDodge(20.0)).unwrap();
+        rig.follow(&mut plotter, 90, &whole);
+        assert_eq!(
+            rig.last_htd().steering_mode,
+            Some(SteeringMode::RudderControl)
+        );
+        assert!(off(&rig, 0) > 50.0, "{} m", off(&rig, 0));
+        if silent {
+            rig.run(8.0);
+        }
+        let answer = rig.command(Order::Mode(ModeRequest::Dodge)).unwrap();
+        let expect = if silent {
+            ModeName::Auto
+        } else {
+            ModeName::Track
+        };
+        assert_eq!(rig.mode(), expect, "{answer}");
+        if !silent {
+            rig.follow(&mut plotter, 400, &whole);
+            assert!(off(&rig, 0).abs() < 15.0, "{} m", off(&rig, 0));
+        }
+        rig.check_orders();
+    }
 }
