@@ -145,7 +145,6 @@ pub struct PortSetup {
     /// Which sentences are believed.
     pub checksum: ChecksumPolicy,
     /// Whose sentences alone are believed, by talker; anybody's where it is empty. Proprietary ones have none (SEN-3).
-    #[serde(default)]
     pub talkers: Vec<String>,
     /// Line rate in baud, for the load on the line; 0 where there is none.
     pub baud: u32,
