@@ -96,7 +96,7 @@ async fn the_modes_are_selected_and_set_by_press_and_confirm() {
     let there = "return !!document.querySelector('[data-command=\"ffu_override\"]') \
         && !document.querySelector('[data-command=\"ffu_override\"]').disabled;";
     browser.until("the modes", LONG, there).await;
-    let reason = "DODGE is selected from AUTO, AutoNAV or WIND VANE only";
+    let reason = "DODGE is selected from AUTO, AutoNAV, TRACK or WIND VANE only";
     let told = format!(
         "const b = document.querySelector('[data-command=\"dodge\"]'); \
         return b.getAttribute('aria-disabled') === 'true' \

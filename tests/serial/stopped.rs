@@ -48,6 +48,8 @@ async fn stopped(seconds: u64) -> (Option<ModeName>, Vec<String>) {
     std::thread::sleep(Duration::from_secs(seconds));
     let on = Instant::now();
     signal(&program, Signal::SIGCONT);
+    // A page that was silent for so long may be taken to be gone: it comes back, as every page does.
+    let mut page = Page::open(program.address).await;
     page.follow(Duration::from_secs(3)).await;
 
     // Ten orders a second, and none for the time that is gone.
