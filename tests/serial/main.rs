@@ -1,6 +1,7 @@
 //! The real binary on serial lines: dialogues, pulled plugs, hostile input, two programs joined by null modems.
 #![allow(clippy::unwrap_used)]
 
+mod both_programs;
 mod dialogue;
 mod examples;
 mod foreign;
@@ -11,7 +12,6 @@ mod no_route;
 mod plotter;
 mod ship;
 mod stopped;
-mod two_programs;
 
 use std::path::Path;
 use wheelover_core::view::{Answer, Order};
