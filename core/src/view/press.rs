@@ -100,7 +100,7 @@ impl Presses {
         autopilot: &Autopilot,
         now: Stamp,
     ) -> Result<(), String> {
-        let Some(frame) = frame.filter(|_| steers(order)) else {
+        let Some(frame) = frame.filter(|_| is_held_against_the_picture(order)) else {
             return Ok(());
         };
         let old = "this was pressed for a picture that is no longer known: not done";
@@ -119,19 +119,8 @@ impl Presses {
 }
 
 /// Whether an order changes how the ship is steered; STANDBY is exempt, whatever else was shown.
-fn steers(order: &Order) -> bool {
-    !matches!(
-        order,
-        Order::Mode(ModeRequest::Standby)
-            | Order::Acknowledge(_)
-            | Order::Silence(_)
-            | Order::Speed(_)
-            | Order::Officer(_)
-            | Order::Fault { .. }
-            | Order::Current { .. }
-            | Order::Chart(_)
-            | Order::Setting { .. }
-    )
+fn is_held_against_the_picture(order: &Order) -> bool {
+    order.steers() && !matches!(order, Order::Mode(ModeRequest::Standby))
 }
 
 #[cfg(test)]
