@@ -1,7 +1,9 @@
 //! The post of a station: it hears its ports, keeps the picture of what they said, and speaks.
 //!
-//! In: bytes of a port. Out: a [`Output::Line`] for each line heard or said, and [`Output::Send`] for what is said.
+//! In: bytes of a port, and that one came or went. Out: a [`Output::Line`] for each line heard or said, and [`Output::Send`] for what is said.
 //! Every line is folded into the picture, so that a page that folds the same lines has the same picture.
+
+mod watch;
 
 use crate::limits::Quantity;
 use crate::nmea::{self, Ear, Frame, Sentence};
@@ -9,8 +11,10 @@ use crate::picture::{Ground, Heard, Picture};
 use crate::station::{Direction, Output, PortIndex, PortSetup, Role};
 use crate::time::Stamp;
 use crate::units::{RudderAngle, Speed};
+use alloc::string::String;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
+use watch::PortWatch;
 
 /// Ports, ears, picture and voice of a station.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -18,6 +22,7 @@ pub(crate) struct Post {
     /// What was heard and said, and on which ports.
     pub(crate) picture: Picture,
     ears: Vec<Ear>,
+    watch: PortWatch,
     /// Nothing heard up to then counts (FA16).
     fresh_after: Option<Stamp>,
 }
@@ -27,6 +32,7 @@ impl Post {
     pub(crate) fn new(station: Role, ports: Vec<PortSetup>) -> Self {
         Self {
             ears: ports.iter().map(|_| Ear::default()).collect(),
+            watch: PortWatch::new(ports.len()),
             picture: Picture::new(station, ports),
             fresh_after: None,
         }
@@ -40,6 +46,29 @@ impl Post {
     /// FA16: the station stood still; everything must be heard again.
     pub(crate) fn stalled(&mut self, now: Stamp) {
         self.fresh_after = Some(now);
+        self.watch.stalled(now);
+    }
+
+    /// A port to real equipment came or went (FB8).
+    pub(crate) fn port_up(&mut self, now: Stamp, port: PortIndex, up: bool) {
+        self.watch.set(now, port, up, &self.picture);
+    }
+
+    /// What is said of the ports whose device is gone; absent where there is none (FB8, FD9).
+    pub(crate) fn gone(&self, now: Stamp) -> Option<String> {
+        self.watch.gone(now, &self.picture)
+    }
+
+    /// What is said of the ports on which nothing valid comes; absent where there is none (FB10).
+    pub(crate) fn no_sentence(&self, now: Stamp) -> Option<String> {
+        self.watch.no_sentence(now, &self.picture)
+    }
+
+    /// Why nothing valid comes on a port, where nothing does, in an officer's words; and how many valid sentences came there
+    /// that the dictionary does not know.
+    pub(crate) fn port_state(&self, now: Stamp, port: PortIndex) -> (Option<String>, u64) {
+        let quiet = self.watch.quiet(now, port, &self.picture);
+        (quiet, self.watch.unknown(port))
     }
 
     /// A heard value that is usable and was heard since the last stall.
@@ -159,10 +188,16 @@ pub(crate) fn hear(
     let Some(mut ear) = station.post().ears.get_mut(port).map(core::mem::take) else {
         return;
     };
+    let valid = |post: &Post| post.picture.counts.get(port).map(|count| count.heard);
+    let before = valid(station.post());
     ear.hear(now, bytes, &mut |frame| {
         take(station, now, port, frame, out)
     });
-    station.post().ears[port] = ear;
+    let post = station.post();
+    post.ears[port] = ear;
+    if valid(post) == before {
+        post.watch.noise(now, port);
+    }
 }
 
 /// SEN-1: takes lines whose end has not come.
@@ -184,10 +219,13 @@ fn take(
     out: &mut Vec<Output>,
 ) {
     let sentence = nmea::decode(frame.text);
-    let accepted = station
-        .post()
-        .picture
-        .fold_sentence(now, port, Direction::In, &sentence);
+    let Post { picture, watch, .. } = station.post();
+    let before = picture.counts.get(port).map(|count| count.heard);
+    let accepted = picture.fold_sentence(now, port, Direction::In, &sentence);
+    if picture.counts.get(port).map(|count| count.heard) != before {
+        let known = sentence.known.is_some();
+        watch.valid(now, port, (accepted, known), picture);
+    }
     out.push(Output::Line {
         port,
         dir: Direction::In,

@@ -180,6 +180,13 @@ pub enum Input<'a> {
         /// What; any split of a stream is the same stream.
         bytes: &'a [u8],
     },
+    /// A port to real equipment came or went; one that is cabled inside never does (FB8).
+    Port {
+        /// Which.
+        port: PortIndex,
+        /// Whether it is there.
+        up: bool,
+    },
     /// The caller was late by so many milliseconds: nothing heard before counts as fresh.
     Stalled {
         /// How late.

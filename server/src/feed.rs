@@ -144,8 +144,11 @@ impl Feed {
                 News::Document(which, mut document) => {
                     if let Down::Ports(ports) = document.as_mut() {
                         for view in &mut ports.ports {
-                            if let Some(link) = links.iter().find(|link| link.name == view.name) {
-                                view.trouble = link.trouble().to_string();
+                            let link = links.iter().find(|link| link.name == view.name);
+                            // What the line itself has goes before what is heard on it.
+                            let trouble = link.map(|link| link.trouble().to_string());
+                            if let Some(trouble) = trouble.filter(|words| !words.is_empty()) {
+                                view.trouble = trouble;
                             }
                         }
                     }

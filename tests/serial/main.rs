@@ -10,6 +10,7 @@ mod hostile;
 mod management;
 mod no_route;
 mod plotter;
+mod ports;
 mod ship;
 mod stopped;
 

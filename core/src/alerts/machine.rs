@@ -88,6 +88,17 @@ impl Alerts {
         }
     }
 
+    /// The same, and what happens now is said anew wherever it changes, as of an alert that several ports share.
+    pub fn tell_anew(&mut self, now: Stamp, alert: Alert, happened: Option<String>) {
+        if let (Some(detail), true) = (&happened, self.raised(alert)) {
+            let says = |active: &Standing| active.detail == *detail;
+            if !self.standing_of(alert).is_some_and(says) {
+                self.retext(alert, detail);
+            }
+        }
+        self.tell(now, alert, happened);
+    }
+
     /// The condition is over: gone if it was taken, else kept until it is.
     pub fn rectify(&mut self, now: Stamp, alert: Alert) {
         let Some(index) = self.place(alert) else {

@@ -118,6 +118,10 @@ alerts! {
     Stand = 141, Warning, B, "STEERING STAND", "The steering stand cannot be read. Check stand and line";
     /// FA16: the control loop stalled.
     Stalled = 150, Warning, B, "CONTROL STALLED", "The control loop was late. All inputs wait to be heard again";
+    /// FB8, FD9: a port's device is gone.
+    PortFail = 151, Caution, B, "PORT FAIL", "A port is gone. Check plug and device";
+    /// FB10: nothing valid comes on a port.
+    NoSentence = 152, Caution, B, "NO VALID SENTENCE", "No valid sentence comes on a port. Check line, baud rate and device";
     /// FA15: an alarm that nobody took.
     BackupCalled = 160, Alarm, B, "BACKUP NAVIGATOR", "An alarm was not acknowledged within 30 s. Acknowledge it";
     /// AP-11: the other side's heartbeat is not heard any more.
@@ -142,6 +146,10 @@ alerts! {
     ChartHeartbeatLost = 209, Warning, B, "HEARTBEAT LOST", "No heartbeat is heard any more. Check alert management and line";
     /// TCS-14: control goes on by dead reckoning; said anew each two minutes.
     ManualSteering = 210, Alarm, B, "MANUAL STEERING", "Control goes on by dead reckoning. Use manual steering";
+    /// FB8, FD9: a port's device is gone.
+    ChartPortFail = 211, Caution, B, "PORT FAIL", "A port is gone. Check plug and device";
+    /// FB10: nothing valid comes on a port.
+    ChartNoSentence = 212, Caution, B, "NO VALID SENTENCE", "No valid sentence comes on a port. Check line, baud rate and device";
 }
 
 /// Proprietary alerts have identifiers from here on (IEC 61162-1 ALF; F2: 10001 to 10999).

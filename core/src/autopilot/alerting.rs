@@ -69,9 +69,13 @@ impl Alerting {
         }
     }
 
-    /// What time alone changes: sound, escalation, the call of the back-up navigator, heartbeats that are not heard.
+    /// What time alone changes: sound, escalation, the call of the back-up navigator, heartbeats and ports that are not
+    /// heard (FB8, FB10).
     pub(super) fn tick(&mut self, now: Stamp, post: &Post, out: &mut Vec<Output>) {
         self.machine.tick(now);
+        self.machine.tell_anew(now, Alert::PortFail, post.gone(now));
+        let quiet = post.no_sentence(now);
+        self.machine.tell_anew(now, Alert::NoSentence, quiet);
         let call = self.machine.call_backup(now, Alert::BackupCalled);
         out.extend(call.map(Output::backup_navigator));
         let lost = Alert::HeartbeatLost;

@@ -120,6 +120,7 @@ impl Autopilot {
             Input::Contact { switch, closed } => self.decide(now, |modes, outlook, notices| {
                 modes.on_contact(outlook, (switch, closed), notices);
             }),
+            Input::Port { port, up } => self.post.port_up(now, port, up),
             Input::Stalled { .. } | Input::Tick => {}
         }
     }

@@ -12,6 +12,7 @@ use crate::geo::Position;
 use crate::path::Part;
 use crate::picture::{Picture, Source};
 use crate::settings::Settings;
+use crate::station::PortIndex;
 use crate::time::Stamp;
 use crate::units::{Distance, Heading, RudderAngle};
 use alloc::string::String;
@@ -110,6 +111,13 @@ impl Autopilot {
     #[must_use]
     pub fn alerts(&self) -> &Alerts {
         self.alerts.standing()
+    }
+
+    /// Why nothing valid comes on a port, where nothing does, in an officer's words; and how many valid sentences came there
+    /// that the dictionary does not know (FB10).
+    #[must_use]
+    pub fn port_state(&self, now: Stamp, port: PortIndex) -> (Option<String>, u64) {
+        self.post.port_state(now, port)
     }
 
     /// Its settings.

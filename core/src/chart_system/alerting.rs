@@ -1,6 +1,7 @@
 //! What the chart system hears of alerts, its own and the autopilot's, and what it acknowledges there (TCS-13).
 
 use super::state::ChartSystem;
+use crate::alerts::Alert;
 use crate::nmea::Sentence;
 use crate::station::{PortIndex, Profile};
 use crate::time::Stamp;
@@ -23,6 +24,14 @@ impl ChartSystem {
                 self.reports.add(port, asked.line(TALKER));
             }
         }
+    }
+
+    /// What is wrong with the ports to real equipment (FB8, FB10).
+    pub(super) fn watch_ports(&mut self, now: Stamp) {
+        let (gone, quiet) = (self.post.gone(now), self.post.no_sentence(now));
+        let alerts = &mut self.watch.alerts;
+        alerts.tell_anew(now, Alert::ChartPortFail, gone);
+        alerts.tell_anew(now, Alert::ChartNoSentence, quiet);
     }
 
     /// TCS-13: an officer operates the chart system; told where that is asked for.

@@ -29,6 +29,10 @@ impl ChartSystem {
                 }
                 out.push(Output::Answer(self.obey(now, order)));
             }
+            Input::Port { port, up } => {
+                self.post.port_up(now, port, up);
+                self.watch_ports(now);
+            }
             Input::Contact { .. } | Input::Tick => {}
         }
     }
@@ -60,6 +64,7 @@ impl ChartSystem {
         self.now = now;
         post::time_out(self, now, out);
         self.monitor(now);
+        self.watch_ports(now);
         let call = self.watch_over(now);
         out.extend(call.map(Output::backup_navigator));
         let (lost, ports) = (Alert::ChartHeartbeatLost, self.post.ports());

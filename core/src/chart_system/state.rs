@@ -6,11 +6,11 @@ use super::current::Current;
 use super::place::PositionGuard;
 use super::reckoning::{Known, Reckoning};
 use super::watch::TurnIndications;
-use crate::alerts::{HeardAlert, HeardAlerts, Reports, Standing};
+use crate::alerts::{Alerts, HeardAlert, HeardAlerts, Reports, Standing};
 use crate::picture::Picture;
 use crate::post::Post;
 use crate::route::{Progress, Route};
-use crate::station::Role;
+use crate::station::{PortIndex, Role};
 use crate::time::Stamp;
 use crate::timers::Timers;
 use crate::units::{Distance, Speed};
@@ -163,10 +163,23 @@ impl ChartSystem {
         &self.post.picture
     }
 
+    /// Why nothing valid comes on a port, where nothing does, in an officer's words; and how many valid sentences came there
+    /// that the dictionary does not know (FB10).
+    #[must_use]
+    pub fn port_state(&self, now: Stamp, port: PortIndex) -> (Option<String>, u64) {
+        self.post.port_state(now, port)
+    }
+
     /// Its alerts that are not normal, the highest first.
     #[must_use]
     pub fn alerts(&self) -> &[Standing] {
         self.watch.alerts.standing()
+    }
+
+    /// Its alerts with their history.
+    #[must_use]
+    pub const fn all_alerts(&self) -> &Alerts {
+        &self.watch.alerts
     }
 
     /// The autopilot's alerts as they are heard.

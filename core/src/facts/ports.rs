@@ -46,6 +46,15 @@ pub fn believes(station: Role, profile: Profile, formatter: &str) -> bool {
     believed(station, profile).contains(&address)
 }
 
+/// Whether a port of that profile speaks all the time, so that its silence is a fault (FB10); the others say something when
+/// there is something to say.
+pub(crate) const fn speaks_always(profile: Profile) -> bool {
+    !matches!(
+        profile,
+        Profile::Plotter | Profile::Hmi | Profile::Bams | Profile::Monitor
+    )
+}
+
 /// Whether what a port may say stands in the picture. A plotter's XTE belongs to its APB: it is no measure of the leg that
 /// a chart system commands, and never takes its place. HTD of a stand is not what the autopilot reports.
 pub(crate) fn is_pictured(profile: Profile, formatter: &str) -> bool {

@@ -128,6 +128,12 @@ impl<'a> Sentence<'a> {
         text_of(self.fields.address())
     }
 
+    /// Whether it begins as a sentence does (SEN-1); anything else is no sentence, whatever is in it.
+    #[must_use]
+    pub fn begins(&self) -> bool {
+        matches!(self.text, [b'$' | b'!', ..])
+    }
+
     /// Its talker; `P` for a proprietary sentence, empty where there is none.
     #[must_use]
     pub fn talker(&self) -> &'a str {

@@ -43,7 +43,7 @@ impl Picture {
         if dir == Direction::Out {
             count.sent += 1;
         } else {
-            if sentence.formatter.is_empty() {
+            if sentence.formatter.is_empty() || !sentence.begins() {
                 count.garbage += 1;
                 return false;
             }

@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 9;
+pub const PROTOCOL: u32 = 10;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -366,8 +366,10 @@ pub struct PortView {
     pub sent: u64,
     /// Lines with a wrong or missing checksum.
     pub bad_checksum: u64,
-    /// Bytes outside sentences.
+    /// Lines that are no sentence.
     pub garbage: u64,
-    /// Accepted sentences that this port may not say: shown, never used.
+    /// Valid sentences that the dictionary does not know.
+    pub unknown: u64,
+    /// The other valid sentences that this port may not say: shown, never used.
     pub unused: u64,
 }

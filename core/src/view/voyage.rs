@@ -118,11 +118,14 @@ pub fn ports_document(voyage: &Voyage) -> PortsDocument {
     let picture = voyage.picture();
     let view = |(index, (port, count)): (usize, (&PortSetup, &PortCount))| {
         let up = voyage.port_is_up(index);
+        let (quiet, unknown) = voyage.port_state(index);
         PortView {
             name: port.name.clone(),
             up,
             trouble: if up {
-                String::new()
+                quiet.map_or_else(String::new, |why| {
+                    alloc::format!("no valid sentence: {why}")
+                })
             } else {
                 "the port is gone; it is tried again".into()
             },
@@ -130,7 +133,8 @@ pub fn ports_document(voyage: &Voyage) -> PortsDocument {
             sent: count.sent,
             bad_checksum: count.bad_checksum,
             garbage: count.garbage,
-            unused: count.unused,
+            unknown,
+            unused: count.unused.saturating_sub(unknown),
         }
     };
     PortsDocument {

@@ -54,6 +54,10 @@ impl Voyage {
                 if let Some(state) = self.up.get_mut(port) {
                     *state = up;
                 }
+                if let Some((role, port)) = self.outside.get(port).copied() {
+                    self.input(now, role, Input::Port { port, up });
+                    self.settle(now, role, out);
+                }
             }
             Event::Contact { switch, closed } => {
                 let role = Role::Autopilot;

@@ -79,6 +79,17 @@ impl Voyage {
         }
     }
 
+    /// Why nothing valid comes on a port of the shown station, where nothing does, in an officer's words; and how many valid
+    /// sentences came there that the dictionary does not know (FB10).
+    #[must_use]
+    pub fn port_state(&self, port: PortIndex) -> (Option<String>, u64) {
+        match (&self.autopilot, &self.chart) {
+            (Some(autopilot), _) => autopilot.port_state(self.now, port),
+            (None, Some(chart)) => chart.port_state(self.now, port),
+            (None, None) => (None, 0),
+        }
+    }
+
     /// The voyage's time.
     #[must_use]
     pub const fn now(&self) -> Stamp {

@@ -202,7 +202,7 @@ impl World {
         match input {
             Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
             Input::Order { order, .. } => out.push(Output::Answer(self.obey(order))),
-            Input::Stalled { .. } | Input::Contact { .. } | Input::Tick => {}
+            Input::Stalled { .. } | Input::Contact { .. } | Input::Port { .. } | Input::Tick => {}
         }
     }
 

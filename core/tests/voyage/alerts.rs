@@ -128,6 +128,11 @@ fn no_alert_is_left_out() {
             Alert::Stand,
             // It takes a second rudder: `rudders`.
             Alert::RudderPort,
+            // They take a port to the outside: `ports`.
+            Alert::PortFail,
+            Alert::NoSentence,
+            Alert::ChartPortFail,
+            Alert::ChartNoSentence,
         ])
         .collect();
     let missing: Vec<_> = Alert::ALL

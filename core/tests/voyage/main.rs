@@ -16,12 +16,14 @@ mod modes;
 mod monitor;
 mod monte_carlo;
 mod offsets;
+mod ports;
 #[path = "../../../tests/random.rs"]
 mod random;
 mod refused_commands;
 mod rig;
 mod rudders;
 mod sensors_lost;
+mod silence;
 mod situations;
 mod spoilt;
 mod stand;

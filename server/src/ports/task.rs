@@ -35,6 +35,7 @@ pub(super) async fn run(
     inlet: Inlet,
 ) {
     let mut wait = BACK_OFF[0];
+    let mut came = false;
     loop {
         let now = match opened.take() {
             Some(opened) => Ok(opened),
@@ -42,7 +43,7 @@ pub(super) async fn run(
         };
         match now {
             Ok(Opened::Wire(wire)) => {
-                wait = BACK_OFF[0];
+                (wait, came) = (BACK_OFF[0], true);
                 let lost = converse(wire, &port, &mut contacts, &link, &inlet).await;
                 say(&link, lost_words(&lost));
             }
@@ -58,7 +59,13 @@ pub(super) async fn run(
                 };
                 return say(&link, words);
             }
-            Err(failure) => say(&link, failure.text),
+            Err(failure) => {
+                // One that was never there is gone too (FD9); what came and went has said so.
+                if !std::mem::replace(&mut came, true) {
+                    inlet.port_up(&link, false);
+                }
+                say(&link, failure.text);
+            }
         }
         contacts.look(None, &inlet);
         sleep(wait).await;
@@ -75,6 +82,7 @@ fn lost_words(error: &io::Error) -> String {
 
 /// One client at a time: who came first keeps the line until it is lost.
 async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) {
+    inlet.port_up(link, false);
     say(link, "nobody has called".to_owned());
     loop {
         let Ok((stream, _)) = listener.accept().await else {
