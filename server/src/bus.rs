@@ -10,7 +10,7 @@ use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, oneshot};
 use wheelover_core::station::Switch;
-use wheelover_core::view::{Answer, Down, Hello, Line, Order, Snapshot};
+use wheelover_core::view::{AlertsDocument, Answer, Down, Hello, Line, Order, Snapshot};
 
 /// Reads of one port that may wait; each is at most 1 KiB.
 const READS: usize = 64;
@@ -43,6 +43,8 @@ pub(crate) enum Asked {
     },
     /// A client wants to begin.
     Hello(oneshot::Sender<Hello>),
+    /// Somebody wants the alerts with their history.
+    Alerts(oneshot::Sender<AlertsDocument>),
     /// The server ends.
     Stop,
 }
@@ -112,6 +114,13 @@ impl Inlet {
     pub(crate) async fn hello(&self) -> Option<Hello> {
         let (sender, receiver) = oneshot::channel();
         self.ask(Asked::Hello(sender)).ok()?;
+        receiver.await.ok()
+    }
+
+    /// The alerts with their history, as of now; none where the control thread has ended.
+    pub(crate) async fn alerts(&self) -> Option<AlertsDocument> {
+        let (sender, receiver) = oneshot::channel();
+        self.ask(Asked::Alerts(sender)).ok()?;
         receiver.await.ok()
     }
 

@@ -255,6 +255,9 @@ impl Thread {
                 hello.ship = self.parts.ship;
                 let _ = reply.send(hello);
             }
+            Asked::Alerts(reply) => {
+                let _ = reply.send(view::alerts_document(&self.parts.voyage));
+            }
             Asked::Stop => self.end = Some(End::Asked),
         }
     }

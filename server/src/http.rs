@@ -72,6 +72,7 @@ fn router(site: Arc<Site>) -> Router {
         .route("/healthz", get(healthz))
         .route("/api/hello", get(hello))
         .route("/api/route", get(route))
+        .route("/api/alerts", get(alerts))
         .route("/api/dialogue", get(dialogue))
         .route("/ws", get(socket))
         .fallback(file)
@@ -159,12 +160,25 @@ async fn healthz(State(site): State<Arc<Site>>) -> Response<Body> {
     }
 }
 
+/// What is said where the control thread does not answer any more.
+fn ended() -> Response<Body> {
+    page::plain(
+        StatusCode::SERVICE_UNAVAILABLE,
+        "the control loop has ended\n",
+    )
+}
+
+/// The alerts that stand, and those that have been (DSP-5).
+async fn alerts(State(site): State<Arc<Site>>) -> Response<Body> {
+    match site.inlet.alerts().await {
+        Some(document) => json(encode(&document).unwrap_or_default()),
+        None => ended(),
+    }
+}
+
 async fn hello(State(site): State<Arc<Site>>, Extension(ends): Extension<Ends>) -> Response<Body> {
     let Some(mut hello) = site.inlet.hello().await else {
-        return page::plain(
-            StatusCode::SERVICE_UNAVAILABLE,
-            "the control loop has ended\n",
-        );
+        return ended();
     };
     hello.may_command = site.rights(&ends) == Rights::All;
     json(encode(&Down::Hello(hello)).unwrap_or_default())

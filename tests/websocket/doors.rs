@@ -44,6 +44,7 @@ fn another_name_is_not_served() {
             "/healthz",
             "/api/hello",
             "/api/route",
+            "/api/alerts",
             "/api/dialogue",
             "/ws",
         ] {
@@ -63,6 +64,7 @@ fn every_answer_carries_the_policy() {
         "/healthz",
         "/api/hello",
         "/api/route",
+        "/api/alerts",
         "/api/dialogue",
         "/nothing/here",
     ] {

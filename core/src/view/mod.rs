@@ -2,6 +2,7 @@
 
 mod message;
 mod own;
+mod past;
 mod press;
 mod route;
 mod voyage;
@@ -13,6 +14,7 @@ pub use crate::settings::Value;
 pub use crate::voyage::Line;
 pub use message::*;
 pub use own::own;
+pub use past::{AlertsDocument, PastView, alerts_document};
 pub use press::Presses;
 pub use route::drawn_route;
 pub use voyage::{hello, ports_document, route_document, settings_document, snapshot};
