@@ -18,4 +18,4 @@ mod voyage;
 pub(crate) use read::read;
 pub(crate) use rules::Rules;
 pub(crate) use show::in_force;
-pub(crate) use types::{At, Config, Contact, ControlLine, Place, Port};
+pub(crate) use types::{At, Bias, Config, Contact, ControlLine, Place, Port, Wire};

@@ -1,7 +1,7 @@
 //! CFG-1: a configuration printed as it is in force, with every default.
 
 use super::built;
-use super::types::{At, Config, Place, policy_name};
+use super::types::{At, Config, Place, Wire, policy_name};
 use std::fmt::Write;
 use wheelover_core::geo::to_millimetre;
 use wheelover_core::settings::{Kind, TABLE, Value};
@@ -72,10 +72,14 @@ fn contacts(config: &Config, out: &mut String) -> std::fmt::Result {
         let (key, place) = match &contact.at {
             At::Port(port) => ("port", config.ports[*port].setup.name.clone()),
             At::Device(path) => ("path", path.display().to_string()),
+            At::Chip(path) => ("gpio", path.display().to_string()),
         };
         writeln!(out, "{key} = {}", quoted(&place))?;
-        let (line, inverted) = (contact.line.name(), contact.inverted);
-        writeln!(out, "line = \"{line}\"\ninverted = {inverted}")?;
+        match contact.line {
+            Wire::Control(line) => writeln!(out, "line = \"{}\"", line.name())?,
+            Wire::Gpio(line, bias) => writeln!(out, "line = {line}\nbias = \"{}\"", bias.name())?,
+        }
+        writeln!(out, "inverted = {}", contact.inverted)?;
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! What a configuration may say, and what is said about the rest.
 
+mod contacts;
 mod rudders;
 
 use super::in_force;
@@ -351,49 +352,4 @@ fn without_a_route_a_configuration_has_none() {
     let voyage = wheelover_core::voyage::Voyage::configured(config.voyage());
     let waypoints = wheelover_core::view::route_document(&voyage).waypoints;
     assert_eq!(waypoints.len(), 0);
-}
-
-// AP-22
-#[test]
-fn a_contact_is_read_at_a_control_line_of_a_port_or_of_a_device_of_its_own() {
-    let with = |contacts: &str| {
-        let port = "[[port]]\nname = \"ecdis\"\nkind = \"serial\"\npath = \"/dev/ttyS8\"\nprofile = \"ecdis\"\n";
-        let text = format!("roles = [\"autopilot\"]\n{port}{contacts}");
-        from_text("w.toml", &text, None)
-    };
-    let both = "[[contact]]\nwhat = \"nfu\"\nport = \"ecdis\"\nline = \"cts\"\n[[contact]]\nwhat = \"autopilot\"\npath = \"/dev/ttyS9\"\nline = \"ri\"\ninverted = true\n";
-    let config = with(both).unwrap();
-    assert_eq!(config.contacts.len(), 2);
-    let again = from_text("w.toml", &in_force(&config), None).unwrap();
-    assert_eq!(again.contacts, config.contacts);
-    let refused = |contacts: &str| with(contacts).unwrap_err().to_string();
-    for (keys, said) in [
-        (
-            "what = \"nfu\"\nline = \"cts\"",
-            "needs one of the keys port and path",
-        ),
-        (
-            "what = \"nfu\"\nport = \"gyro\"\nline = \"cts\"",
-            "is no serial port",
-        ),
-        (
-            "what = \"horn\"\nport = \"ecdis\"\nline = \"cts\"",
-            "unknown value `horn`",
-        ),
-        (
-            "what = \"nfu\"\nport = \"ecdis\"\nline = \"rts\"",
-            "unknown value `rts`",
-        ),
-        (
-            "what = \"nfu\"\nchip = \"gpiochip0\"\nline = \"cts\"",
-            "unknown key `chip`",
-        ),
-    ] {
-        let text = refused(&format!("[[contact]]\n{keys}\n"));
-        assert!(text.contains(said), "{keys}: {text}");
-    }
-    let twice = "[[contact]]\nwhat = \"nfu\"\nport = \"ecdis\"\nline = \"cts\"\n";
-    assert!(refused(&twice.repeat(2)).contains("stands twice"));
-    let other = twice.replace("nfu", "ffu");
-    assert!(refused(&format!("{twice}{other}")).contains("are both the line cts"));
 }

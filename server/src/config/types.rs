@@ -93,6 +93,42 @@ impl ControlLine {
     }
 }
 
+/// What holds a GPIO line while nothing does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Bias {
+    /// As it was set by others.
+    #[default]
+    AsIs,
+    /// Nothing.
+    Disabled,
+    /// It is on.
+    PullUp,
+    /// It is off.
+    PullDown,
+}
+
+impl Bias {
+    /// Its name in the configuration.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::AsIs => "as_is",
+            Self::Disabled => "disabled",
+            Self::PullUp => "pull_up",
+            Self::PullDown => "pull_down",
+        }
+    }
+}
+
+/// A line that a contact is wired to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wire {
+    /// A control line of a serial device.
+    Control(ControlLine),
+    /// A line of a GPIO chip, by its number.
+    Gpio(u32, Bias),
+}
+
 /// Where a contact is read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum At {
@@ -100,6 +136,8 @@ pub(crate) enum At {
     Port(usize),
     /// At a serial device of its own.
     Device(PathBuf),
+    /// At a GPIO chip.
+    Chip(PathBuf),
 }
 
 /// A contact that is wired.
@@ -110,7 +148,7 @@ pub(crate) struct Contact {
     /// Where it is read.
     pub(crate) at: At,
     /// By which line.
-    pub(crate) line: ControlLine,
+    pub(crate) line: Wire,
     /// It is closed while the line is off.
     pub(crate) inverted: bool,
 }

@@ -1,7 +1,7 @@
-//! Contacts that are wired to the control lines of serial devices: looked at, and told when they change (AP-22).
+//! Contacts that are wired to lines of devices: looked at, and told when they change; here those of serial devices (AP-22).
 
 use crate::bus::Inlet;
-use crate::config::{Contact, ControlLine};
+use crate::config::{Contact, ControlLine, Wire};
 use std::path::PathBuf;
 use std::time::Duration;
 use tokio::time::{Instant, sleep, sleep_until};
@@ -10,23 +10,24 @@ use tokio_serial::{SerialPort, SerialPortBuilderExt, SerialStream};
 /// Between two looks.
 const LOOK: Duration = Duration::from_millis(20);
 /// A device that is not there is tried again so often.
-const RETRY: Duration = Duration::from_secs(1);
+pub(super) const RETRY: Duration = Duration::from_secs(1);
 /// A device of its own carries no bytes.
 const BAUD: u32 = 4_800;
 
-/// The control lines of a device, as they are now.
-pub(super) trait ControlLines {
+/// The lines of a device, as they are now.
+pub(super) trait Lines {
     /// Whether a line is on; absent where that cannot be read.
-    fn is_on(&mut self, line: ControlLine) -> Option<bool>;
+    fn is_on(&mut self, line: Wire) -> Option<bool>;
 }
 
-impl ControlLines for SerialStream {
-    fn is_on(&mut self, line: ControlLine) -> Option<bool> {
+impl Lines for SerialStream {
+    fn is_on(&mut self, line: Wire) -> Option<bool> {
         let read = match line {
-            ControlLine::Cts => self.read_clear_to_send(),
-            ControlLine::Dsr => self.read_data_set_ready(),
-            ControlLine::Dcd => self.read_carrier_detect(),
-            ControlLine::Ri => self.read_ring_indicator(),
+            Wire::Control(ControlLine::Cts) => self.read_clear_to_send(),
+            Wire::Control(ControlLine::Dsr) => self.read_data_set_ready(),
+            Wire::Control(ControlLine::Dcd) => self.read_carrier_detect(),
+            Wire::Control(ControlLine::Ri) => self.read_ring_indicator(),
+            Wire::Gpio(..) => return None,
         };
         read.ok()
     }
@@ -56,13 +57,18 @@ impl Contacts {
         self.told.is_empty()
     }
 
+    /// Whether none could be read when it was last looked at: the device is gone.
+    pub(super) fn are_gone(&self) -> bool {
+        self.told.iter().all(|(_, told)| *told == Some(None))
+    }
+
     /// Waits until the next look is due.
     pub(super) async fn due(&self) {
         sleep_until(self.next).await;
     }
 
     /// Looks, and tells what has changed; without lines nothing can be read.
-    pub(super) fn look(&mut self, mut lines: Option<&mut dyn ControlLines>, inlet: &Inlet) {
+    pub(super) fn look(&mut self, mut lines: Option<&mut dyn Lines>, inlet: &Inlet) {
         self.next = Instant::now() + LOOK;
         for (contact, told) in &mut self.told {
             let on = lines.as_mut().and_then(|lines| lines.is_on(contact.line));
@@ -83,8 +89,8 @@ pub(super) async fn watch(path: PathBuf, contacts: Vec<Contact>, inlet: Inlet) {
         match opened {
             Ok(mut device) => loop {
                 contacts.look(Some(&mut device), &inlet);
-                if contacts.told.iter().all(|(_, told)| *told == Some(None)) {
-                    break; // it is gone
+                if contacts.are_gone() {
+                    break;
                 }
                 contacts.due().await;
             },
@@ -105,11 +111,14 @@ mod tests {
     use wheelover_core::station::Switch;
 
     /// Lines as a test sets them, in the order of the names.
-    struct Lines([Option<bool>; 4]);
+    struct Set([Option<bool>; 4]);
 
-    impl ControlLines for Lines {
-        fn is_on(&mut self, line: ControlLine) -> Option<bool> {
-            self.0[line as usize]
+    impl Lines for Set {
+        fn is_on(&mut self, line: Wire) -> Option<bool> {
+            match line {
+                Wire::Control(line) => self.0[line as usize],
+                Wire::Gpio(..) => None,
+            }
         }
     }
 
@@ -117,7 +126,7 @@ mod tests {
         Contact {
             switch,
             at: At::Port(0),
-            line,
+            line: Wire::Control(line),
             inverted,
         }
     }
@@ -138,7 +147,7 @@ mod tests {
             });
             all.collect::<Vec<_>>()
         };
-        let mut lines = Lines([Some(false), Some(true), Some(false), Some(false)]);
+        let mut lines = Set([Some(false), Some(true), Some(false), Some(false)]);
         contacts.look(Some(&mut lines), &inlet);
         let (nfu, ffu, autopilot) = (Switch::Nfu, Switch::Ffu, Switch::Autopilot);
         let at_first = [

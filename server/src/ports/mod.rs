@@ -4,6 +4,7 @@
 //! output holds the newest sentence of each kind, never a backlog (FB11).
 
 mod contacts;
+mod gpio;
 pub(crate) mod list;
 mod open;
 mod playback;
@@ -70,12 +71,19 @@ impl Ready {
         }
         let mut devices: Vec<PathBuf> = Vec::new();
         for contact in &self.contacts {
-            if let At::Device(path) = &contact.at
-                && !devices.contains(path)
-            {
-                devices.push(path.clone());
-                let watching = contacts::watch(path.clone(), at(&contact.at), inlet.clone());
-                tasks.spawn(stop.clone().run_until_cancelled_owned(watching));
+            let inlet = inlet.clone();
+            match &contact.at {
+                At::Device(path) if !devices.contains(path) => {
+                    devices.push(path.clone());
+                    let watching = contacts::watch(path.clone(), at(&contact.at), inlet);
+                    tasks.spawn(stop.clone().run_until_cancelled_owned(watching));
+                }
+                // Each line of a chip is asked for by itself.
+                At::Chip(path) => {
+                    let watching = gpio::watch(path.clone(), contact.clone(), inlet);
+                    tasks.spawn(stop.clone().run_until_cancelled_owned(watching));
+                }
+                At::Device(_) | At::Port(_) => {}
             }
         }
     }

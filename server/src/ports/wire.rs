@@ -1,6 +1,6 @@
 //! An open line: serial, TCP or UDP, read and written by one task without either waiting for the other.
 
-use super::contacts::ControlLines;
+use super::contacts::Lines;
 use std::io;
 use std::pin::Pin;
 use std::task::{Context, Poll, ready};
@@ -87,7 +87,7 @@ impl Wire {
     }
 
     /// Its control lines, where it has any.
-    pub(super) fn control_lines(&mut self) -> Option<&mut dyn ControlLines> {
+    pub(super) fn control_lines(&mut self) -> Option<&mut dyn Lines> {
         match self {
             Self::Serial(port) => Some(port),
             Self::Tcp(_) | Self::Udp(_) => None,
