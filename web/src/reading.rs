@@ -69,6 +69,14 @@ impl<T> Reading<T> {
         }
     }
 
+    /// An own fact with a mark in the place of its source.
+    pub(crate) fn marked(value: Option<T>, mark: &str) -> Self {
+        Self {
+            source: mark.to_owned(),
+            ..Self::own(value)
+        }
+    }
+
     /// The same without its value, for when the link is gone.
     pub(crate) fn lost(self, age: u64) -> Self {
         match self.state {

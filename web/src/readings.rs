@@ -79,9 +79,23 @@ impl Readings {
                 Some(f.position)
             }),
         };
-        let cog = Reading::heard(picture, picture.ground(now), Ground, now, |g| {
+        let mut cog = Reading::heard(picture, picture.ground(now), Ground, now, |g| {
             g.course.map(|course| course.deg())
         });
+        let mut sog = Reading::heard(picture, picture.ground(now), Ground, now, |g| {
+            Some(g.speed.knots())
+        });
+        let mut stw = Reading::heard(picture, picture.water_speed(now), WaterSpeed, now, |s| {
+            Some(s.knots())
+        });
+        // AP-9, AP-7: what nothing measures is marked as what it is.
+        if let Some((course, speed)) = own.and_then(|own| own.calculated) {
+            cog = Reading::marked(course, "c");
+            sog = Reading::marked(Some(speed), "c");
+        }
+        if let Some(speed) = own.and_then(|own| own.manual_speed) {
+            stw = Reading::marked(Some(speed), "manual");
+        }
         let htc = picture.htc.as_ref();
         let angle = |r: &RudderAngle| Some(r.deg());
         let order = |heard: Option<&Heard<RudderAngle>>, said: fn(&Own) -> Option<f64>| match own {
@@ -101,12 +115,8 @@ impl Readings {
                 ),
             },
             track: Reading::heard(picture, htc, Control, now, |c| c.htc.track),
-            sog: Reading::heard(picture, picture.ground(now), Ground, now, |g| {
-                Some(g.speed.knots())
-            }),
-            stw: Reading::heard(picture, picture.water_speed(now), WaterSpeed, now, |s| {
-                Some(s.knots())
-            }),
+            sog,
+            stw,
             rot: Reading::heard(picture, picture.rate(now), RateOfTurn, now, |r| {
                 Some(r.deg_per_min())
             }),

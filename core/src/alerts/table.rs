@@ -90,6 +90,8 @@ alerts! {
     OffTrack = 115, Alarm, A, "OFF TRACK", "The ship is off the track. Check track, speed and rudder";
     /// AP-10: two compasses are farther apart than is set.
     HeadingDifference = 116, Warning, B, "HDG DIFF", "Two compasses are apart. Find out which is right";
+    /// AP-21: RIVER PILOT without a heading.
+    NoHeading = 117, Caution, B, "NO HEADING", "No usable heading: RIVER PILOT goes on by the measured rate of turn. Check the compasses";
     /// FA9: a position jumped and was rejected.
     PositionJump = 120, Caution, B, "POSITION JUMP", "A position is off the dead reckoning and is not used. Check the receiver";
     /// AP-7: the position is not corrected.
@@ -106,6 +108,8 @@ alerts! {
     LowSpeed = 126, Alarm, B, "LOW SPEED", "The speed is below the minimum: the ship hardly answers her rudder";
     /// AP-21: the wind of WIND VANE is lost.
     WindLost = 127, Alarm, B, "WIND LOST", "No wind is heard: AUTO holds the present heading. Check the wind sensor";
+    /// AP-7: AutoNAV was selected with a speed entered by hand.
+    ChangeSpeedSource = 128, Warning, B, "CHANGE SPEED SRC", "CHANGE SPEED SOURCE: no AutoNAV by a speed entered by hand. Select STANDBY and set speed_source to automatic";
     /// AP-20: nobody gave the ship's constants.
     ShipUnknown = 131, Caution, B, "SHIP CONSTANTS", "The ship's constants were not given: cautious steering, no track control";
     /// AP-4, FA11: feedback invalid or off the order.

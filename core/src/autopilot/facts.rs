@@ -79,11 +79,13 @@ impl<'a> Outlook<'a> {
         }
     }
 
-    /// What the laws are told; absent without a heading.
-    pub(super) fn measured(&self) -> Option<Measured> {
+    /// What the laws are told; absent without a heading, or where a rate of turn is enough, without that as well (AP-21).
+    pub(super) fn measured(&self, rate_is_enough: bool) -> Option<Measured> {
         let facts = &self.facts;
         let rudder = self.gear.acting(self.seen.rudders());
-        (self.sight).measured(self.seen, facts.settings, rudder)
+        let measured = (self.sight).measured(self.seen, facts.settings, rudder);
+        let by_rate = || self.sight.measured_by_rate(facts.settings, rudder);
+        measured.or_else(|| by_rate().filter(|_| rate_is_enough))
     }
 
     /// Measured speed, else the set cruise speed (FA10).

@@ -36,7 +36,7 @@ use alerting::Alerting;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
-use change::changed;
+use change::{While, changed};
 use facts::Outlook;
 use gear::{Angles, Gear};
 pub use modes::{
@@ -205,6 +205,12 @@ impl Autopilot {
                     self.steering.another_compass(change);
                     self.gear.join();
                 }
+                Sighted::HeadingBack(change) => {
+                    if self.modes.steers_by_rate() {
+                        self.steering.another_compass(change);
+                        self.gear.join();
+                    }
+                }
                 Sighted::Heading => {
                     if !self.modes.holds_the_rudder() {
                         (self.alerts).take(now, Notice::Rectified(Alert::HeadingLost));
@@ -278,8 +284,9 @@ impl Autopilot {
     /// Steering and gear begin anew, at the orders where the rudders were left or else at their own.
     fn engage(&mut self, now: Stamp, left: Angles) {
         self.gear.engage_at(left);
+        let by_rate = self.modes.steers_by_rate();
         let (_, outlook) = self.modes_and_outlook(now);
-        if let Some(measured) = outlook.measured() {
+        if let Some(measured) = outlook.measured(by_rate) {
             self.steering.engage(&measured);
         }
     }
@@ -287,7 +294,8 @@ impl Autopilot {
     /// What is demanded becomes an order; without a demand, or a heading where one is needed, the order is frozen (FA7).
     fn steer(&mut self, now: Stamp) {
         let (modes, outlook) = self.modes_and_outlook(now);
-        let (demand, measured) = (modes.demand(&outlook.facts), outlook.measured());
+        let measured = outlook.measured(modes.steers_by_rate());
+        let demand = modes.demand(&outlook.facts);
         let limit = RudderAngle::from_deg(self.modes.limit(&self.settings));
         let dt = self.settings.step_ms() as f64 / 1000.0;
         let given = self.gear.given();
@@ -364,8 +372,11 @@ impl Autopilot {
             Order::Acknowledge(number) => self.alerts.acknowledge(now, *number),
             Order::Silence(silent) => Ok(self.alerts.silence(now, *silent).into()),
             Order::Setting { key, value } => {
-                let steering = self.modes.gives_orders();
-                self.settings = changed(&self.settings, key, value, steering)?;
+                let now = While {
+                    steering: self.modes.gives_orders(),
+                    autonav: self.modes.is_or_will_be_commanded(),
+                };
+                self.settings = changed(&self.settings, key, value, now)?;
                 self.steering.change(&self.settings);
                 self.gear.fit(self.settings.rudders);
                 Ok(format!("{key} is {value}"))

@@ -14,7 +14,7 @@ use crate::picture::{Picture, Source};
 use crate::settings::Settings;
 use crate::station::PortIndex;
 use crate::time::Stamp;
-use crate::units::{Distance, Heading, RudderAngle};
+use crate::units::{Course, Distance, Heading, RudderAngle, Speed};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -167,6 +167,25 @@ impl Autopilot {
     #[must_use]
     pub const fn receiver_in_use(&self) -> Option<&Source> {
         self.sight.receiver()
+    }
+
+    /// Who says course and speed over ground; where they are calculated from positions, its formatter is C (AP-9).
+    #[must_use]
+    pub fn over_ground_from(&self, now: Stamp) -> Option<Source> {
+        self.sight.over_ground_from(self.post.seen(now))
+    }
+
+    /// Course, where there is one, and speed over ground that are calculated from positions, since nothing measures them (AP-9).
+    #[must_use]
+    pub fn calculated_over_ground(&self, now: Stamp) -> Option<(Option<Course>, Speed)> {
+        let ground = self.sight.over_ground(self.post.seen(now))?;
+        (ground.calculated).then_some((ground.course, ground.speed))
+    }
+
+    /// The speed that the gains are made of (AP-7, AP-9, FA10).
+    #[must_use]
+    pub fn speed(&self) -> Speed {
+        self.sight.speed(&self.settings)
     }
 
     /// Every source that is heard and not believed (AP-9, FA8, FA9, TCS-8).

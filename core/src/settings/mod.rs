@@ -9,7 +9,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 use value::Slot;
-pub use value::{Differential, Group, Kind, Role, Rudders, SteeringBy, Value};
+pub use value::{Differential, Group, Kind, Role, Rudders, SpeedSource, SteeringBy, Value};
 
 /// One line of the settings table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,10 +94,13 @@ settings! {
     hsc: switch(false), Engineer, ChartSystem, "HSC is a source of the heading to steer in Tn, where no HTC is heard; AP-13.";
     leg_tolerance: number("m", 10.0 ..= 1000.0, 0, 30.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
+    manual_speed: number("kn", 1.0 ..= 40.0, 1, 12.0), Operator, SetValues, "Speed entered by hand: the gains are made of it where speed_source is manual; AP-9.";
     minimum_speed: number("kn", 0.0 ..= 20.0, 1, 2.0), Engineer, Ship, "Below it the ship hardly answers her rudder: alarm, and gains of the cruise speed; FA10.";
     off_heading_limit: number("deg", 2.0 ..= 60.0, 0, 20.0), Operator, Rudder, "Off-heading limit; AP-5.";
     off_track_limit: number("m", 20.0 ..= 1000.0, 0, 185.0), Operator, ChartSystem, "Off-track alarm in track control where HTC gives no limit of its own.";
+    pivot_forward_m: given("m", -200.0 ..= 230.0, 1), Engineer, Ship, "Pivot point in a turn forward of midships: on an arc the bow points in by its distance from the conning position; without it the named ship's, else by the length; AP-16.";
     position_jump: number("m", 10.0 ..= 200.0, 0, 30.0), Engineer, Sensors, "A position off the dead reckoning by more is not used; FA9.";
+    rudder_forward_m: given("m", -230.0 ..= -1.0, 1), Engineer, Ship, "Rudder stock forward of midships, so less than nothing: the cautious gain goes by its lever; of no effect once gain_per_s and time_constant_s are given; AP-16.";
     rudder_limit: number("deg", 2.0 ..= 35.0, 0, 20.0), Operator, Rudder, "Rudder limit of AUTO; not used in AutoNAV (AP-8).";
     rudder_max: number("deg", 10.0 ..= 45.0, 0, 35.0), Engineer, Rudder, "Maximum rudder angle of the gear.";
     rudder_slew: number("deg/s", 0.5 ..= 20.0, 1, 2.3), Engineer, Rudder, "Fastest change of the rudder order; AP-15.";
@@ -105,6 +108,7 @@ settings! {
     set_radius: number("nm", 0.05 ..= 10.0, 2, 0.5), Operator, SetValues, "Radius of AUTO's turns; not used in AutoNAV.";
     set_rate: number("deg/min", 1.0 ..= 300.0, 0, 28.0), Operator, SetValues, "Rate of turn of AUTO's turns; not used in AutoNAV.";
     speed_kn: given("kn", 1.0 ..= 40.0, 1), Engineer, Ship, "Speed at which gain and time constant hold; AP-20.";
+    speed_source: choice(SpeedSource Automatic), Operator, Sensors, "Speed for the gains: automatic is the log, else over ground; manual is manual_speed, and AutoNAV is refused with it; AP-7, AP-9.";
     steady_turn_0: given("rad", -0.2 ..= 0.2, 4), Engineer, Ship, "Steady turn, rudder over r' = r L / U: the constant; AP-20.";
     steady_turn_1: given("rad", -5.0 ..= 5.0, 4), Engineer, Ship, "Steady turn: factor of r'; AP-20.";
     steady_turn_3: given("rad", -500.0 ..= 500.0, 3), Engineer, Ship, "Steady turn: factor of r' to the third; AP-20.";

@@ -138,6 +138,13 @@ choices! {
         /// It is no position for track control.
         Required = "required",
     }
+    /// Where the speed for the gains comes from (AP-7, AP-9).
+    SpeedSource {
+        /// Log, else the speed over ground; the cruise speed where neither is known.
+        Automatic = "automatic",
+        /// Entered by hand.
+        Manual = "manual",
+    }
     /// How the rudders hang together (AP-4).
     Rudders {
         /// One.

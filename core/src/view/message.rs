@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 10;
+pub const PROTOCOL: u32 = 11;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -186,7 +186,8 @@ pub struct Own {
     pub cross_track: Option<f64>,
     /// Farther off the track is an alarm, metres.
     pub cross_track_limit: f64,
-    /// Chosen source of each quantity: quantity, `port/talker/formatter`.
+    /// Chosen source of each quantity: quantity, `port/talker/formatter`; C for the formatter of what is calculated, and `manual` of a
+    /// speed that is entered by hand.
     pub sources: Vec<(String, String)>,
     /// Heading that the autopilot believes, degrees; absent where it believes none.
     pub heading: Option<f64>,
@@ -196,6 +197,10 @@ pub struct Own {
     pub judged: u64,
     /// Position that it believes, at the time of the snapshot; absent where it believes none.
     pub position: Option<Position>,
+    /// Speed entered by hand, knots, where the gains are made of it (AP-7).
+    pub manual_speed: Option<f64>,
+    /// Course, degrees, and speed over ground, knots, where they are calculated from positions (AP-9).
+    pub calculated: Option<(Option<f64>, f64)>,
     /// Sources that it hears and does not believe.
     pub refused: Vec<RefusedView>,
     /// What moves the rudder; absent where no order is computed.

@@ -5,10 +5,10 @@ use crate::alerts::{Category, HeardAlert, Standing};
 use crate::autopilot::{Autopilot, Mode, ModeName};
 use crate::chart_system::ChartSystem;
 use crate::command::ModeRequest;
-use crate::settings::{Rudders, SteeringBy};
+use crate::settings::{Rudders, SpeedSource, SteeringBy};
 use crate::station::Profile;
 use crate::time::Stamp;
-use crate::units::{Distance, Heading, RudderAngle};
+use crate::units::{Course, Distance, Heading, RudderAngle};
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
@@ -47,6 +47,11 @@ pub fn own(autopilot: &Autopilot, now: Stamp) -> Own {
         magnetic: autopilot.heading_is_magnetic(),
         judged: autopilot.judged_at().0,
         position: autopilot.believed_position(now),
+        manual_speed: (settings.speed_source == SpeedSource::Manual)
+            .then_some(settings.manual_speed),
+        calculated: autopilot
+            .calculated_over_ground(now)
+            .map(|(course, speed)| (course.map(Course::deg), speed.knots())),
         refused: autopilot
             .refused()
             .into_iter()
@@ -91,16 +96,22 @@ fn closed(autopilot: &Autopilot, now: Stamp) -> Vec<(ModeRequest, String)> {
 
 fn sources(autopilot: &Autopilot, now: Stamp) -> Vec<(String, String)> {
     let picture = autopilot.picture();
+    let ground = autopilot.over_ground_from(now);
+    let ground = ground.or_else(|| Some(picture.ground(now)?.source.clone()));
+    let manual = autopilot.settings().speed_source == SpeedSource::Manual;
     let list = [
         ("heading", autopilot.compass_in_use()),
         ("rate", picture.rate(now).map(|heard| &heard.source)),
         ("position", autopilot.receiver_in_use()),
-        ("ground", picture.ground(now).map(|heard| &heard.source)),
+        ("ground", ground.as_ref()),
         ("water", picture.water_speed(now).map(|heard| &heard.source)),
     ];
-    list.into_iter()
-        .filter_map(|(name, source)| Some((name.to_string(), picture.source_name(source?))))
-        .collect()
+    let named = list
+        .into_iter()
+        .filter_map(|(name, source)| Some((name.to_string(), picture.source_name(source?))));
+    // AP-7: what the gains are made of, where the operator entered it.
+    let by_hand = manual.then(|| ("speed".to_string(), "manual".to_string()));
+    named.chain(by_hand).collect()
 }
 
 /// What only our chart-system side knows.

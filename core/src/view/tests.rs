@@ -69,6 +69,8 @@ fn messages() -> Vec<String> {
                 magnetic: false,
                 judged: 1_900,
                 position: Some(place),
+                manual_speed: Some(11.5),
+                calculated: Some((Some(246.5), 14.25)),
                 refused: vec![RefusedView {
                     quantity: Quantity::Position,
                     source: "gps/GP/GLL".into(),

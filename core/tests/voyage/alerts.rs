@@ -133,6 +133,10 @@ fn no_alert_is_left_out() {
             Alert::NoSentence,
             Alert::ChartPortFail,
             Alert::ChartNoSentence,
+            // It takes RIVER PILOT: `modes::river`.
+            Alert::NoHeading,
+            // It takes a speed entered by hand: `speed`.
+            Alert::ChangeSpeedSource,
         ])
         .collect();
     let missing: Vec<_> = Alert::ALL

@@ -25,6 +25,7 @@ mod rudders;
 mod sensors_lost;
 mod silence;
 mod situations;
+mod speed;
 mod spoilt;
 mod stand;
 mod steps;

@@ -3,6 +3,7 @@
 mod dodge;
 mod engineer;
 mod pairs;
+mod river;
 mod wind;
 
 use crate::rig::{Rig, SLEW, route};

@@ -163,3 +163,38 @@ fn an_antenna_away_from_the_conning_position_does_not_carry_her_off_the_arc() {
     assert!(arc < sound + 3.0, "{arc} m off the arc, {sound} without");
     assert!(wrong < 6.0, "believed {wrong} m beside the true place");
 }
+
+/// Sails leg and arc with a conning position 60 m forward of midships: how far that was off the arc at most.
+fn off_the_arc(pivot: Option<f64>) -> f64 {
+    let mut rig = Rig::tracking_as(|config| {
+        config.chart.conning_offset_m = [60.0, 0.0];
+        config.settings.conning_forward_m = 60.0;
+        config.settings.pivot_forward_m = pivot;
+    });
+    rig.until("the arc", 900.0, |rig| rig.chart().situation() == 4);
+    let mut most = 0.0_f64;
+    while rig.chart().situation() == 4 {
+        rig.step();
+        let truth = rig.world().truth();
+        let bow = Point::default().towards(truth.heading.deg(), 60.0);
+        let conning = Plane::at(truth.position).position(bow);
+        if rig.chart().situation() == 4 {
+            most = most.max(off_path(&rig.route, rig.chart(), conning));
+        }
+    }
+    rig.check_orders();
+    most
+}
+
+// AP-16: the conning position is what sails the arc, and where the pivot point lies says how far the bow points in.
+#[test]
+fn the_pivot_point_says_how_far_the_bow_points_into_the_turn() {
+    let ships = off_the_arc(None);
+    let given = off_the_arc(Some(73.0));
+    assert_eq!(given, ships, "the Mariner's own");
+    let wrong = off_the_arc(Some(-60.0));
+    assert!(
+        ships < 15.0 && wrong > ships + 8.0,
+        "{ships} m off the arc, {wrong} by a wrong one"
+    );
+}

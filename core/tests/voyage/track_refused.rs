@@ -136,6 +136,11 @@ const REFUSED: &[Case] = &[
         "APB refused: field 8: no course of the leg",
     ),
     (
+        "no course, though a heading to steer",
+        |b| with(b, "APB", &[(8, ""), (13, "90.0"), (14, "T")]),
+        "APB refused: field 8: no course of the leg",
+    ),
+    (
         "no north",
         |b| with(b, "APB", &[(9, "")]),
         "APB refused: field 9: neither true nor magnetic",

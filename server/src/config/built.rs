@@ -10,18 +10,20 @@ use toml::{Spanned, Value};
 use wheelover_core::voyage::Role;
 
 /// Keys of the file, its sections, ports and ship.
-const KEYS: [&str; 4] = ["commissioning", "gear", "rudder_forward_m", "skipped_by"];
+const KEYS: [&str; 3] = ["commissioning", "gear", "skipped_by"];
 
 /// Profiles of ports.
 const PROFILES: [&str; 3] = ["hmi", "imu", "targets"];
 
 /// Keys of `[ship]` that only some stations use.
-const SHIP: [(&str, &[Role]); 16] = [
+const SHIP: [(&str, &[Role]); 18] = [
     ("model", &[Role::Autopilot, Role::World]),
     ("antenna_forward_m", &[Role::Autopilot, Role::ChartSystem]),
     ("antenna_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
     ("conning_forward_m", &[Role::Autopilot, Role::ChartSystem]),
     ("conning_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
+    ("pivot_forward_m", &[Role::Autopilot]),
+    ("rudder_forward_m", &[Role::Autopilot]),
     ("rudder_max_deg", &[Role::Autopilot]),
     ("rudder_slew_deg_s", &[Role::Autopilot]),
     ("rudders", &[Role::Autopilot, Role::World]),

@@ -21,6 +21,10 @@ pub(crate) struct Ship {
     pub(crate) conning_forward_m: f64,
     /// Conning position to starboard of the midship line, metres.
     pub(crate) conning_starboard_m: f64,
+    /// Pivot point in a turn forward of midships, metres; none: the named ship's, else by the length.
+    pub(crate) pivot_forward_m: Option<f64>,
+    /// Rudder stock forward of midships, metres, so less than nothing; none: at the stern.
+    pub(crate) rudder_forward_m: Option<f64>,
     /// Largest rudder angle, degrees; none: the setting `rudder_max`.
     pub(crate) rudder_max_deg: Option<f64>,
     /// Slew of the gear, degrees a second; none: the setting `rudder_slew`.
@@ -68,6 +72,8 @@ impl Default for Ship {
             antenna_starboard_m: 0.0,
             conning_forward_m: 0.0,
             conning_starboard_m: 0.0,
+            pivot_forward_m: None,
+            rudder_forward_m: None,
             rudder_max_deg: None,
             rudder_slew_deg_s: None,
             rudders: None,
@@ -105,7 +111,7 @@ impl Ship {
     }
 
     /// Her constants and offsets.
-    fn constants(&self) -> [(&'static str, Option<f64>); 15] {
+    fn constants(&self) -> [(&'static str, Option<f64>); 17] {
         let turn = |index: usize| self.steady_turn.map(|curve| curve[index]);
         let offset = |metres: f64| (metres != 0.0).then_some(metres);
         [
@@ -115,6 +121,8 @@ impl Ship {
             ("antenna_starboard_m", offset(self.antenna_starboard_m)),
             ("conning_forward_m", offset(self.conning_forward_m)),
             ("conning_starboard_m", offset(self.conning_starboard_m)),
+            ("pivot_forward_m", self.pivot_forward_m),
+            ("rudder_forward_m", self.rudder_forward_m),
             ("length_m", self.length_m),
             ("speed_kn", self.speed_kn),
             ("gain_per_s", self.gain_per_s),
@@ -153,6 +161,8 @@ impl Ship {
                 Some(self.conning_starboard_m),
                 offset.clone(),
             ),
+            ("pivot_forward_m", self.pivot_forward_m, -200.0..=230.0),
+            ("rudder_forward_m", self.rudder_forward_m, -230.0..=-1.0),
             ("start_lat", self.start_lat, -85.0..=85.0),
             ("start_lon", self.start_lon, -180.0..=180.0),
             ("start_heading", self.start_heading, 0.0..=360.0),

@@ -123,6 +123,8 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
         ("antenna_starboard_m", Some(ship.antenna_starboard_m)),
         ("conning_forward_m", Some(ship.conning_forward_m)),
         ("conning_starboard_m", Some(ship.conning_starboard_m)),
+        ("pivot_forward_m", ship.pivot_forward_m),
+        ("rudder_forward_m", ship.rudder_forward_m),
         ("rudder_max_deg", ship.rudder_max_deg),
         ("rudder_slew_deg_s", ship.rudder_slew_deg_s),
         ("start_lat", ship.start_lat),

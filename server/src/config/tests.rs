@@ -246,8 +246,6 @@ fn what_is_not_built_yet_is_refused_by_its_name() {
         5,
         &["unknown value `radar`", "`monitor`"],
     );
-    let offset = "[ship]\nlength_m = 90\nrudder_forward_m = 1.0\n";
-    not_built(offset, 3, "rudder_forward_m");
     not_built("[gear]\nkind = \"ror\"\n", 1, "gear");
     not_built(
         "\n[commissioning]\nskipped_by = \"A\"\n",
@@ -287,11 +285,15 @@ fn what_no_station_here_uses_is_refused() {
 // AP-16: the offsets of the ship reach the autopilot.
 #[test]
 fn the_offsets_of_the_ship_are_settings_of_the_autopilot() {
-    let text =
-        "roles = [\"autopilot\"]\n[ship]\nantenna_forward_m = -40\nconning_starboard_m = 2.5\n";
+    let text = "roles = [\"autopilot\"]\n[ship]\nantenna_forward_m = -40\nconning_starboard_m = 2.5\n\
+                pivot_forward_m = 30\nrudder_forward_m = -55\n";
     let config = from_text("w.toml", text, None).unwrap();
     assert_eq!(config.settings.antenna_forward_m, -40.0);
     assert_eq!(config.settings.conning_starboard_m, 2.5);
+    assert_eq!(config.settings.pivot_forward_m, Some(30.0));
+    assert_eq!(config.settings.rudder_forward_m, Some(-55.0));
+    let wrong = "roles = [\"autopilot\"]\n[ship]\nrudder_forward_m = 55\n";
+    check(wrong, 3, &["rudder_forward_m", "-230 to -1"]);
 }
 
 #[test]

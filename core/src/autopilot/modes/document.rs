@@ -208,7 +208,7 @@ fn transitions() -> String {
         }));
         row
     });
-    let text = "## Transitions\n\nWhat each event makes of a mode; – is no change. “Agreed”: the operator has selected AutoNAV, or the chart\nsystem switches between Tn and Ti, and everything that is needed is there. A lost turn is finished by its last commanded radius or rate.\nDODGE that was selected in AutoNAV or WIND VANE goes back there when it is released, where the needs still hold.\n\n";
+    let text = "## Transitions\n\nWhat each event makes of a mode; – is no change. “Agreed”: the operator has selected AutoNAV, or the chart\nsystem switches between Tn and Ti, and everything that is needed is there. A lost turn is finished by its last commanded radius or rate.\nDODGE that was selected in AutoNAV or WIND VANE goes back there when it is released, where the needs still hold. In RIVER PILOT the heading is lost\nwhere no rate of turn is measured either.\n\n";
     text.to_string() + &table(&head, rows)
 }
 

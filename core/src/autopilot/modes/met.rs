@@ -8,7 +8,7 @@ use crate::autopilot::facts::Outlook;
 use crate::autopilot::remote::Charted;
 use crate::command::{ModeRequest, Refusal, Remote};
 use crate::limits::Quantity;
-use crate::settings::Differential;
+use crate::settings::{Differential, SpeedSource};
 use crate::units::Radius;
 use alloc::format;
 
@@ -106,16 +106,22 @@ impl Modes {
         match need {
             Need::Enabled => outlook.facts.settings.external_tcs,
             Need::InAuto | Need::AutoFirst => matches!(self.mode, Mode::Auto(_)),
+            Need::SpeedSource => {
+                !self.speed_by_hand && outlook.facts.settings.speed_source != SpeedSource::Manual
+            }
             Need::TrueHeading => !sight.is_magnetic(),
             Need::NoOverride => self.command(outlook) != Some(Remote::Override),
             Need::LegKnown => self.commanded_radius(outlook).is_none(),
             Need::Heading => sight.heading().is_some(),
+            Need::HeadingOrRate => sight.heading().is_some() || sight.has_rate(),
             Need::InStandby => matches!(self.mode, Mode::Standby(_)),
             Need::AutoSteers => matches!(self.mode, Mode::Auto(auto) if auto.finish.is_none()),
             Need::SteadySpeed => self.speed.lasts(seen.now),
             Need::Dodgeable => self.mode.state().former().is_some(),
             Need::Wind => sight.wind(!outlook.facts.settings.wind_true).is_some(),
-            Need::MeasuredSpeed => seen.ground().is_some() || seen.water_speed().is_some(),
+            Need::MeasuredSpeed => {
+                sight.over_ground(seen).is_some() || seen.water_speed().is_some()
+            }
             Need::Command => self.wanted(outlook) == Some(mode),
             Need::ShipConstants => outlook.ship.known,
             Need::Position => {

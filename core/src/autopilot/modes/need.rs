@@ -50,6 +50,7 @@ needs! {
     Enabled: Lost::AtEntry, "AutoNAV is not enabled at installation", "The setting `external_tcs`.";
     InAuto: Lost::AtEntry, "AutoNAV is selected from AUTO only", "AUTO steers.";
     AutoFirst: Lost::AtEntry, "TRACK is selected from AUTO only", "AUTO steers, before TRACK does.";
+    SpeedSource: Lost::AtEntry, "CHANGE SPEED SOURCE: the speed is entered by hand", "The setting `speed_source` is not `manual`; where it was when AutoNAV was selected, STANDBY since then (AP-7).";
     TrueHeading: Lost::AtEntry, "the heading is magnetic, and no variation is known", "A heading of true north (AP-10).";
     NoOverride: Lost::AtEntry, "override is in use", "The chart system reports no override (HTC-1).";
     LegKnown: Lost::AtEntry, "not in the middle of a turn: the leg before it is unknown", "No radius is commanded: situations 3 and 4 cannot be entered.";
@@ -58,8 +59,9 @@ needs! {
     SteadySpeed: Lost::AtEntry, "the speed has not been steady for 30 s", "The measured speed was within half a knot for 30 s.";
     Dodgeable: Lost::AtEntry, "DODGE is selected from AUTO, AutoNAV, TRACK or WIND VANE only", "A mode to return to.";
     Heading: Lost::RudderHold, "no heading", "A heading that is believed.";
+    HeadingOrRate: Lost::RudderHold, "neither a heading nor a measured rate of turn", "A heading that is believed, or a measured rate of turn that is: by the rate alone the mode goes on, with a caution (AP-21).";
     Wind: Lost::Auto, "no wind is heard", "MWV, VWR or VWT of the wind that is set: apparent or true.";
-    MeasuredSpeed: Lost::NotFollowed, "no measured speed", "A speed through the water or over ground; the set cruise speed where it is lost (FA10).";
+    MeasuredSpeed: Lost::NotFollowed, "no measured speed", "A speed through the water, or over ground, measured or calculated from positions; the set cruise speed where it is lost (FA10).";
     Command: Lost::Watched("HTC"), "no valid HTC", "An accepted HTC for this mode.";
     ShipConstants: Lost::NotFollowed, "the ship's constants are not given: no track control (AP-20)", "The ship's own constants.";
     Position: Lost::Watched("position"), "no position", "A position that is believed.";
@@ -77,6 +79,7 @@ needs! {
 pub(super) const ENTRY: &[Need] = &[
     Need::Enabled,
     Need::InAuto,
+    Need::SpeedSource,
     Need::TrueHeading,
     Need::NoOverride,
     Need::LegKnown,

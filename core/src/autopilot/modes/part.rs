@@ -32,6 +32,8 @@ pub(in super::super) struct Modes {
     pub(super) over_the_lever: bool,
     pub(super) off_heading: OffHeading,
     pub(super) speed: SteadySpeed,
+    /// AutoNAV was refused by a speed entered by hand, until STANDBY and another source (AP-7).
+    pub(super) speed_by_hand: bool,
 }
 
 impl Modes {
@@ -47,6 +49,7 @@ impl Modes {
             over_the_lever: false,
             off_heading: OffHeading::default(),
             speed: SteadySpeed::default(),
+            speed_by_hand: false,
         }
     }
 
@@ -75,6 +78,11 @@ impl Modes {
         self.mode.row().needs(Need::Heading)
     }
 
+    /// Whether a measured rate of turn is enough for the mode (AP-21).
+    pub(in super::super) fn steers_by_rate(&self) -> bool {
+        self.mode.row().needs(Need::HeadingOrRate)
+    }
+
     /// Whether the mode asks for a rudder, by a heading or not.
     pub(in super::super) fn steers(&self) -> bool {
         self.gives_orders() && !self.holds_the_rudder()
@@ -91,6 +99,11 @@ impl Modes {
     /// Whether the chart system commands.
     pub(in super::super) const fn is_commanded(&self) -> bool {
         self.mode.is_autonav()
+    }
+
+    /// Whether the chart system commands, or AutoNAV is selected and waits for it: no speed is entered by hand then (AP-7).
+    pub(in super::super) const fn is_or_will_be_commanded(&self) -> bool {
+        self.mode.is_autonav() || self.mode.selected_until().is_some()
     }
 
     /// Whether rudder orders are given.

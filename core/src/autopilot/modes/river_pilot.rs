@@ -1,4 +1,7 @@
 //! RIVER PILOT: the rate of turn that the operator sets; it stays until he sets another (AP-21).
+//!
+//! Where no heading is usable it goes on by the measured rate of turn alone: the heading that the laws turn is then the last one,
+//! carried on by that rate, and at no rate she keeps it as well as the sensor tells.
 
 use super::need::Need;
 use super::set_value::SetValue;
@@ -25,10 +28,10 @@ impl Listed for RiverPilot {
     const ROW: Row = Row {
         name: ModeName::RiverPilot,
         title: "RIVER PILOT",
-        what: "The set rate of turn is held until another is set; at none, as at the selection, the heading that she has then.",
+        what: "The set rate of turn is held until another is set; at none, as at the selection, the heading that she has then. A measured rate of turn is enough, without a heading.",
         role: Role::Operator,
-        entry: &[Need::Heading, Need::NoOverride],
-        needs: &[Need::Heading],
+        entry: &[Need::HeadingOrRate, Need::NoOverride],
+        needs: &[Need::HeadingOrRate],
         on_loss: OnLoss::RudderHold,
         limit: Limit::Set,
         htd: Some(SteeringMode::RudderControl),

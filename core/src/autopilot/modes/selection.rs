@@ -49,7 +49,7 @@ impl Modes {
                     .map_or(0.0, Heading::deg);
                 Ok(format!("AUTO on {heading:05.1}"))
             }
-            ModeRequest::Autonav => self.request_autonav(outlook),
+            ModeRequest::Autonav => self.request_autonav(outlook, notices),
             ModeRequest::Cancel => Ok(self.release(outlook).unwrap_or_else(|| {
                 self.mode.select(None);
                 "AutoNAV selection withdrawn".into()
@@ -98,8 +98,19 @@ impl Modes {
     }
 
     /// The operator's half of the selection.
-    fn request_autonav(&mut self, outlook: &Outlook<'_>) -> Result<String, Refusal> {
-        self.may_select(outlook, ModeRequest::Autonav)?;
+    fn request_autonav(
+        &mut self,
+        outlook: &Outlook<'_>,
+        notices: &mut Notices,
+    ) -> Result<String, Refusal> {
+        if let Err(refusal) = self.may_select(outlook, ModeRequest::Autonav) {
+            // AP-7, App. B: it stands until STANDBY and another source.
+            if refusal.text == Need::SpeedSource.missing() {
+                self.speed_by_hand = true;
+                notices.raise(Alert::ChangeSpeedSource, "");
+            }
+            return Err(refusal);
+        }
         self.mode.select(Some(outlook.facts.now + CONFIRM_MS));
         self.why = "AutoNAV selected".into();
         Ok(self.waits_for(outlook))

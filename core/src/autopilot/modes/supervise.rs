@@ -13,6 +13,7 @@ use crate::autopilot::facts::Outlook;
 use crate::autopilot::notices::Notices;
 use crate::autopilot::remote::Charted;
 use crate::command::Remote;
+use crate::settings::SpeedSource;
 use crate::time::Stamp;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -35,8 +36,12 @@ impl Modes {
         heard: bool,
         notices: &mut Notices,
     ) {
-        if self.steers_by_heading() {
-            let why = if heard {
+        // AP-21: by the rate of turn alone, as long as that is measured.
+        let no_rate = self.steers_by_rate() && !outlook.sight.has_rate();
+        if self.steers_by_heading() || no_rate {
+            let why = if no_rate {
+                "neither a heading nor a rate of turn: rudder held"
+            } else if heard {
                 "the heading jumped: rudder held"
             } else {
                 "no heading for 2 s: rudder held"
@@ -106,6 +111,13 @@ impl Modes {
     fn watch_mode(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
         let speed = outlook.sight.measured_speed();
         self.speed.look(outlook.facts.now, speed);
+        let by_rate = self.steers_by_rate() && outlook.sight.heading().is_none();
+        notices.tell(Alert::NoHeading, by_rate.then(String::new));
+        let measured = outlook.facts.settings.speed_source != SpeedSource::Manual;
+        if self.speed_by_hand && measured && self.mode == Mode::STANDBY {
+            self.speed_by_hand = false;
+            notices.rectify(Alert::ChangeSpeedSource);
+        }
         if let Some(ended) = self.mode.state_mut().watch(outlook) {
             if let Some(alert) = ended.alert {
                 notices.raise(alert, ended.why.clone());

@@ -132,7 +132,8 @@ fn every_mode_that_gives_orders_by_the_heading_needs_one() {
     for row in TABLE {
         let without = [ModeName::RudderHold, ModeName::FfuOverride];
         let steers = row.gives_orders() && !without.contains(&row.name);
-        assert_eq!(row.needs(Need::Heading), steers, "{}", row.title);
+        let needs = row.needs(Need::Heading) || row.needs(Need::HeadingOrRate);
+        assert_eq!(needs, steers, "{}", row.title);
         let watched = row.on_loss != OnLoss::Nothing;
         assert_eq!(watched, steers, "{}", row.title);
     }

@@ -97,6 +97,7 @@ impl Sight {
             }
             Some(Measure::Ground) => {
                 let heard = picture.ground(now);
+                let heard = heard.filter(|heard| heard.usable(Quantity::Ground, now).is_some());
                 heard.map(|heard| (Quantity::Ground, &heard.source))
             }
             None => None,

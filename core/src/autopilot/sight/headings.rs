@@ -12,7 +12,7 @@ use crate::picture::{Picture, Source};
 use crate::post::Seen;
 use crate::settings::Settings;
 use crate::time::Stamp;
-use crate::units::{Heading, RateOfTurn};
+use crate::units::{Heading, RateOfTurn, SignedAngle};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -31,6 +31,12 @@ pub(super) struct Headings {
     pub(super) north: North,
     pub(super) monitor: HeadingMonitor,
     pub(super) rates: RateGuard,
+    /// The rate of turn where it is measured and believed.
+    pub(super) measured_rate: Option<RateOfTurn>,
+    /// The heading; where there is none, the last one carried on by the measured rate of turn: only turns of it count (AP-21).
+    carried: Option<Heading>,
+    /// It was carried on in the last step.
+    carries: bool,
 }
 
 impl Headings {
@@ -84,6 +90,8 @@ impl Headings {
         let changed = source.is_some() && self.compasses.in_use() != source.as_ref();
         let change = before.zip(self.heading).filter(|_| !changed);
         self.rate = self.rates.judge(now, rate, change, self.rate, turning.dt);
+        self.measured_rate = rate.filter(|_| !self.rates.doubted());
+        self.carry(turning.dt, sighted);
         sighted.push(Sighted::Notice(self.what_the_rate_does(seen)));
         if let (true, Some(before), Some(after)) = (changed, before, self.heading) {
             sighted.push(Sighted::OtherCompass(after - before));
@@ -100,6 +108,30 @@ impl Headings {
         } else if !recovers(seen) {
             sighted.push(Sighted::NoHeading { heard });
         }
+    }
+
+    /// The heading that the rate of turn carries on; north where there never was one.
+    pub(super) fn carried(&self) -> Heading {
+        self.carried.unwrap_or(Heading::from_deg(0.0))
+    }
+
+    /// AP-21: without a heading the last one is carried on by the measured rate of turn; when one is back, it is said by how much
+    /// that differs.
+    fn carry(&mut self, dt: f64, sighted: &mut Vec<Sighted>) {
+        match (self.heading, self.measured_rate) {
+            (Some(heading), _) => {
+                if self.carries {
+                    sighted.push(Sighted::HeadingBack(heading - self.carried()));
+                }
+                self.carried = Some(heading);
+            }
+            (None, Some(rate)) => {
+                let turned = SignedAngle::from_deg(rate.deg_per_s() * dt);
+                self.carried = Some(self.carried() + turned);
+            }
+            (None, None) => {}
+        }
+        self.carries = self.heading.is_none() && self.measured_rate.is_some();
     }
 
     fn what_compasses_do(&self, seen: Seen<'_>) -> [Notice; 3] {

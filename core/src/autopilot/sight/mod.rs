@@ -10,11 +10,13 @@ mod guard;
 mod headings;
 mod monitor;
 mod north;
+mod over_ground;
 mod position;
 mod rate;
 mod sighted;
 mod source;
 mod speed;
+mod way;
 mod wind;
 
 use super::notices::Notice;
@@ -24,7 +26,7 @@ use crate::geo::{Plane, Point, Position};
 use crate::limits::Quantity;
 use crate::picture::{Fix, Heard, Picture, Source};
 use crate::post::Seen;
-use crate::settings::Settings;
+use crate::settings::{Settings, SpeedSource};
 use crate::station::Profile;
 use crate::time::Stamp;
 use crate::units::{Heading, RudderAngle, Speed};
@@ -34,6 +36,7 @@ use alloc::vec::Vec;
 use correction::Correction;
 use headings::Headings;
 use north::North;
+use over_ground::OverGround;
 use position::{PositionGuard, Said};
 use serde::{Deserialize, Serialize};
 pub(super) use sighted::Sighted;
@@ -85,9 +88,8 @@ impl Sight {
         sighted: &mut Vec<Sighted>,
     ) {
         let (now, picture) = (seen.now, seen.picture);
-        if let Some(ground) = seen.ground() {
-            self.positions.ground(ground.course, ground.speed);
-        }
+        let over_ground = self.over_ground(seen).map(|ground| ground.velocity());
+        self.positions.goes(over_ground, self.headings.rate);
         let usable = picture
             .fixes
             .iter()
@@ -134,8 +136,12 @@ impl Sight {
         free: bool,
         sighted: &mut Vec<Sighted>,
     ) {
-        let water = seen.water_speed();
-        let ground = seen.ground().map(|ground| ground.speed);
+        // AP-7: what is entered by hand is used, and nothing that is measured is missed.
+        let automatic = settings.speed_source == SpeedSource::Automatic;
+        let free = free || !automatic;
+        let water = seen.water_speed().filter(|_| automatic);
+        let ground = self.over_ground(seen).filter(|_| automatic);
+        let ground = ground.map(|ground| ground.speed);
         let minimum = Speed::from_knots(settings.minimum_speed);
         self.speeds.look(seen.now, water, ground, minimum, free);
         let lost = self.speeds.measured().is_none() && !free;
@@ -162,15 +168,12 @@ impl Sight {
         let position = self
             .fix_in_use(seen)
             .filter(|h| h.usable(Quantity::Position, now).is_some());
-        let ground = picture
-            .ground(now)
-            .filter(|h| h.usable(Quantity::Ground, now).is_some());
         let water = picture
             .water_speed(now)
             .filter(|h| h.usable(Quantity::WaterSpeed, now).is_some());
         let now_used = [
             of(position.map(|heard| &heard.source)),
-            of(ground.map(|heard| &heard.source)),
+            over_ground::source(seen, &self.positions),
             of(water.map(|heard| &heard.source)),
         ];
         for (index, used) in now_used.into_iter().enumerate() {
@@ -241,6 +244,11 @@ impl Sight {
         self.headings.heading
     }
 
+    /// Whether a rate of turn is measured and believed.
+    pub(super) const fn has_rate(&self) -> bool {
+        self.headings.measured_rate.is_some()
+    }
+
     /// Where the ship is: carried on from the last good fix, for at most 5 s.
     pub(super) fn place(&self, now: Stamp) -> Option<Point> {
         self.positions.dead_reckoning(now)
@@ -261,8 +269,21 @@ impl Sight {
         self.positions.recentre(metres)
     }
 
-    /// Measured speed, else the set cruise speed (FA10).
+    /// How she goes over ground: measured, else calculated from positions (AP-9).
+    pub(super) fn over_ground(&self, seen: Seen<'_>) -> Option<OverGround> {
+        OverGround::of(seen, &self.positions)
+    }
+
+    /// The source of that; a calculated one has C for its formatter.
+    pub(super) fn over_ground_from(&self, seen: Seen<'_>) -> Option<Source> {
+        over_ground::source(seen, &self.positions).map(|(source, _)| source)
+    }
+
+    /// Speed for the gains: entered by hand where that is chosen (AP-7), else measured, else the set cruise speed (FA10).
     pub(super) fn speed(&self, settings: &Settings) -> Speed {
+        if settings.speed_source == SpeedSource::Manual {
+            return Speed::from_knots(settings.manual_speed);
+        }
         let cruise = Speed::from_knots(settings.cruise_speed);
         self.speeds.for_gains().unwrap_or(cruise)
     }
@@ -296,14 +317,32 @@ impl Sight {
         rudder: Option<RudderAngle>,
     ) -> Option<Measured> {
         // A course over ground is of true north: beside a magnetic heading it would tell of a drift that is none.
-        let ground = seen.ground().filter(|_| !self.is_magnetic());
+        let ground = self.over_ground(seen).filter(|_| !self.is_magnetic());
         Some(Measured {
             heading: self.headings.heading?,
+            ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
+            position: self.positions.fix(seen.now),
+            ..self.motion(settings, rudder)
+        })
+    }
+
+    /// What the laws are told where the rate of turn is all that is measured: turns of the heading count, not where it points (AP-21).
+    pub(super) fn measured_by_rate(
+        &self,
+        settings: &Settings,
+        rudder: Option<RudderAngle>,
+    ) -> Option<Measured> {
+        self.has_rate().then(|| self.motion(settings, rudder))
+    }
+
+    fn motion(&self, settings: &Settings, rudder: Option<RudderAngle>) -> Measured {
+        Measured {
+            heading: self.headings.carried(),
             rate: self.headings.rate,
             rudder,
             water_speed: Some(self.speed(settings)),
-            ground: ground.and_then(|ground| ground.course.map(|course| (course, ground.speed))),
-            position: self.positions.fix(seen.now),
-        })
+            ground: None,
+            position: None,
+        }
     }
 }

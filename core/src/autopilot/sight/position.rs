@@ -5,10 +5,11 @@
 //! has been steady for ten seconds where it now says the ship is. Another receiver is taken without a step of the place in
 //! the plane: the plane moves instead.
 
+use super::way::Way;
 use crate::geo::{Plane, Point, Position};
 use crate::picture::Source;
 use crate::time::Stamp;
-use crate::units::{Course, Speed};
+use crate::units::RateOfTurn;
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +56,8 @@ struct Receiver {
     rejects: u8,
     /// It jumped: its last fix since, and since when it has been steady.
     suspect: Option<(Point, Stamp, Stamp)>,
+    /// What its fixes make of course and speed.
+    way: Way,
 }
 
 /// All receivers, and the dead reckoning.
@@ -64,6 +67,7 @@ pub(crate) struct PositionGuard {
     /// The last fix of the receiver in use that was taken.
     fix: Option<(Point, Stamp)>,
     velocity: (f64, f64),
+    turn: RateOfTurn,
     list: Vec<Receiver>,
     in_use: Option<Source>,
     agrees_since: Option<Stamp>,
@@ -110,13 +114,20 @@ impl PositionGuard {
             .map(|receiver| &receiver.source)
     }
 
-    /// Takes course and speed over ground.
-    pub(crate) fn ground(&mut self, course: Option<Course>, speed: Speed) {
-        let angle = course.map_or(0.0, Course::rad);
-        self.velocity = (
-            speed.mps() * libm::cos(angle),
-            speed.mps() * libm::sin(angle),
-        );
+    /// Takes how she goes over ground, metres a second, where that is known, and her rate of turn.
+    pub(crate) fn goes(&mut self, over_ground: Option<Point>, turn: RateOfTurn) {
+        if let Some(velocity) = over_ground {
+            self.velocity = (velocity.north, velocity.east);
+        }
+        self.turn = turn;
+    }
+
+    /// What the fixes of the receiver in use make of her way over ground, metres a second, and since when; absent where it is
+    /// not believed, or 5 s after its last fix (AP-9).
+    pub(crate) fn made_good(&self, now: Stamp) -> Option<(Point, Stamp)> {
+        let receiver = self.find(self.in_use.as_ref()?)?;
+        let believed = receiver.suspect.is_none();
+        receiver.way.velocity(now).filter(|_| believed)
     }
 
     /// Judges what is new of the fixes that are fresh, and chooses; `step` is the largest distance off the dead reckoning
@@ -134,18 +145,23 @@ impl PositionGuard {
                 .find(|receiver| receiver.source == *said.source);
             match known {
                 Some(receiver) if receiver.judged < said.at => {
-                    let taken = receiver.judge(said.at, point, step, self.velocity);
+                    let taken = receiver.judge(said.at, point, step, (self.velocity, self.turn));
                     jumped |= taken == Verdict::Jumped && self.in_use.as_ref() == Some(said.source);
                 }
                 Some(_) => {}
-                None => self.list.push(Receiver {
-                    source: said.source.clone(),
-                    rank: said.rank,
-                    fix: (point, said.at),
-                    judged: said.at,
-                    rejects: 0,
-                    suspect: None,
-                }),
+                None => {
+                    let mut way = Way::default();
+                    way.take(point, said.at, self.turn);
+                    self.list.push(Receiver {
+                        source: said.source.clone(),
+                        rank: said.rank,
+                        fix: (point, said.at),
+                        judged: said.at,
+                        rejects: 0,
+                        suspect: None,
+                        way,
+                    });
+                }
             }
         }
         Judged {
@@ -211,6 +227,7 @@ impl PositionGuard {
         self.fix.iter_mut().for_each(|(fix, _)| carry(fix));
         for receiver in &mut self.list {
             carry(&mut receiver.fix.0);
+            receiver.way.carry(&carry);
             receiver
                 .suspect
                 .iter_mut()
@@ -251,7 +268,13 @@ enum Verdict {
 }
 
 impl Receiver {
-    fn judge(&mut self, at: Stamp, point: Point, step: f64, velocity: (f64, f64)) -> Verdict {
+    fn judge(
+        &mut self,
+        at: Stamp,
+        point: Point,
+        step: f64,
+        (velocity, turn): ((f64, f64), RateOfTurn),
+    ) -> Verdict {
         self.judged = at;
         if let Some((last, heard, since)) = self.suspect {
             let off = carried((last, heard), at, velocity).distance(point);
@@ -268,10 +291,12 @@ impl Receiver {
                     return Verdict::Rejected;
                 }
                 self.suspect = Some((point, at, at));
+                self.way = Way::default();
                 return Verdict::Jumped;
             }
         }
         (self.fix, self.rejects, self.suspect) = ((point, at), 0, None);
+        self.way.take(point, at, turn);
         Verdict::Taken
     }
 }

@@ -11,6 +11,8 @@ pub(in super::super) enum Sighted {
     Notice(Notice),
     /// Another compass is in use; its heading differs by so much, and the ship has not turned (AP-9).
     OtherCompass(SignedAngle),
+    /// There is a heading again; it differs by so much from the one that the rate of turn carried on (AP-21).
+    HeadingBack(SignedAngle),
     /// There is a heading.
     Heading,
     /// There is none (FA7); one was heard that is not believed, or nothing.

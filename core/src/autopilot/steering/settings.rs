@@ -26,7 +26,7 @@ pub struct SteeringSettings {
     pub quick_share: f64,
     /// Time constant of the quick part at the reference speed, s.
     pub quick_time: f64,
-    /// Sway for each unit of turn: `v = -sway r`, metres.
+    /// Sway of the controlled point for each unit of turn: `v = -sway r`; how far forward of it the pivot point lies, metres (AP-16).
     pub sway: f64,
     /// Lag of the sway behind the turn, s at the reference speed.
     pub sway_lag: f64,

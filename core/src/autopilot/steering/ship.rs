@@ -14,6 +14,8 @@ const SPEED_KN: f64 = 12.0;
 /// Cautious: the ship is thought to answer the rudder better than most, so that the gains stay low.
 const CAUTIOUS_GAIN: f64 = 1.3;
 const CAUTIOUS_FREQUENCY: f64 = 0.7;
+/// A rudder's lever as a part of half the length: what is farther in or out is no rudder of hers.
+const LEVER: (f64, f64) = (0.3, 1.2);
 
 impl SteeringSettings {
     /// The ship as the settings have her: her own constants where gain and time constant are given, else those of the
@@ -24,6 +26,8 @@ impl SteeringSettings {
             Some(named) if !has_own_constants(settings) => named.clone(),
             _ => Self::cautious(settings),
         };
+        // AP-16: what is controlled is the conning position, and it drifts by how far from it the pivot point lies.
+        ship.sway = settings.pivot_forward_m.unwrap_or(ship.sway) - settings.conning_forward_m;
         ship.slew = settings.rudder_slew;
         ship.rudder_max = RudderAngle::from_deg(settings.rudder_max);
         ship
@@ -36,7 +40,12 @@ impl SteeringSettings {
         let length = settings.length_m.unwrap_or(LENGTH_M);
         let speed = Speed::from_knots(settings.speed_kn.unwrap_or(SPEED_KN));
         let time = (length / speed.mps()) / (like.length / like.reference_speed.mps());
-        let gain = CAUTIOUS_GAIN * like.gain / time;
+        // AP-16: the moment of the rudder, by its lever from midships.
+        let lever = settings.rudder_forward_m.map_or(1.0, |forward| {
+            let (least, most) = LEVER;
+            (-forward / (0.5 * length)).clamp(least, most)
+        });
+        let gain = CAUTIOUS_GAIN * like.gain / time * lever;
         let scaled = Self {
             length,
             reference_speed: speed,
@@ -140,6 +149,46 @@ mod tests {
         assert_eq!(own, SteeringSettings::of(None, &settings));
         settings.gain_per_s = None;
         assert_eq!(SteeringSettings::of(Some(&named), &settings), named);
+    }
+
+    // AP-16: the pivot point is the one that is given, else the ship's; the conning position on it does not drift.
+    #[test]
+    fn the_conning_position_drifts_by_its_distance_from_the_pivot_point() {
+        let named = SteeringSettings::default();
+        let sway = |pivot: Option<f64>, conning: f64| {
+            let settings = Settings {
+                pivot_forward_m: pivot,
+                conning_forward_m: conning,
+                ..Settings::default()
+            };
+            SteeringSettings::of(Some(&named), &settings).sway
+        };
+        assert_eq!(sway(None, 0.0), named.sway);
+        assert_eq!(sway(Some(60.0), 0.0), 60.0);
+        assert_eq!(sway(Some(60.0), 60.0), 0.0);
+        assert_eq!(sway(Some(60.0), -20.0), 80.0);
+        assert_eq!(sway(None, 10.0), named.sway - 10.0);
+    }
+
+    // AP-16, AP-20: a rudder that stands farther in turns her less; her own constants have it in them.
+    #[test]
+    fn a_rudder_with_a_shorter_lever_turns_the_cautious_ship_less() {
+        let ship = |rudder: Option<f64>, gain: Option<f64>| {
+            let settings = Settings {
+                length_m: Some(100.0),
+                rudder_forward_m: rudder,
+                gain_per_s: gain,
+                time_constant_s: gain.map(|_| 60.0),
+                ..Settings::default()
+            };
+            SteeringSettings::of(None, &settings)
+        };
+        let aft = ship(Some(-50.0), None);
+        assert_eq!(aft, ship(None, None));
+        let inner = ship(Some(-25.0), None);
+        assert!((inner.gain - 0.5 * aft.gain).abs() < 1e-12);
+        assert!(inner.steady_turn[1] > 1.9 * aft.steady_turn[1]);
+        assert_eq!(ship(Some(-25.0), Some(0.1)), ship(None, Some(0.1)));
     }
 
     #[test]

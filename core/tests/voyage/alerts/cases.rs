@@ -212,7 +212,7 @@ pub(super) const CASES: [Case; 29] = [
             quiet(
                 rig,
                 &[Profile::Gps, Profile::Log, Profile::Ecdis],
-                &["VTG", "VBW", "VHW", "RMC"],
+                &["VTG", "VBW", "VHW", "RMC", "GLL"],
             )
         },
         7.0,

@@ -161,3 +161,44 @@ fn dodge_comes_back_to_the_wind() {
     }
     rig.check_orders();
 }
+
+// 3a, AP-21: the wind that a plotter says is held where no sensor says one, and a sensor's goes before.
+#[test]
+fn a_plotters_wind_is_a_wind() {
+    let ports = [("plotter", Profile::Plotter), ("mast", Profile::Wind)];
+    let mut rig = Rig::heading_east(&ports, 0.0);
+    rig.run(5.0);
+    select(&mut rig, ModeRequest::Auto);
+    rig.run(5.0);
+    refused(
+        &mut rig,
+        Order::Mode(ModeRequest::WindVane),
+        "no wind is heard",
+    );
+    // It blows from 040.
+    let blows = |rig: &mut Rig, seconds: u32| {
+        for _ in 0..seconds {
+            let angle = (40.0 - rig.heading().deg()).rem_euclid(360.0);
+            rig.say(Profile::Plotter, &format!("IIMWV,{angle:.1},R,7.5,M,A"));
+            rig.run(1.0);
+        }
+    };
+    blows(&mut rig, 10);
+    select(&mut rig, ModeRequest::WindVane);
+    rig.command(Order::SetWindAngle(-30.0)).unwrap();
+    blows(&mut rig, 300);
+    assert_eq!(rig.mode(), ModeName::WindVane);
+    assert!(turned(&rig, 70.0).abs() < 2.0, "{}", rig.heading().deg());
+    let source = |rig: &Rig| {
+        let heard = rig.autopilot().picture().wind(true, rig.now).unwrap();
+        rig.autopilot().source_name(&heard.source)
+    };
+    assert_eq!(source(&rig), "plotter/II/MWV");
+    rig.say(Profile::Wind, "WIMWV,330.0,R,7.5,M,A");
+    blows(&mut rig, 1);
+    assert_eq!(source(&rig), "mast/WI/MWV");
+    // Both fall silent.
+    rig.until("AUTO", 7.0, |rig| rig.mode() == ModeName::Auto);
+    assert!(rig.raised(Alert::WindLost));
+    rig.check_orders();
+}
