@@ -293,7 +293,7 @@ fn the_offsets_of_the_ship_are_settings_of_the_autopilot() {
     assert_eq!(config.settings.pivot_forward_m, Some(30.0));
     assert_eq!(config.settings.rudder_forward_m, Some(-55.0));
     let wrong = "roles = [\"autopilot\"]\n[ship]\nrudder_forward_m = 55\n";
-    check(wrong, 3, &["rudder_forward_m", "-230 to -1"]);
+    check(wrong, 2, &["rudder_forward_m", "-230 to -1"]);
 }
 
 #[test]
