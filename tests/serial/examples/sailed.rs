@@ -150,12 +150,17 @@ fn sail(folder: &Path, dialogue: &Dialogue) -> Vec<String> {
     let program = Program::start(&["--config", config.to_str().unwrap()]);
     let cells: Vec<&str> = dialogue.ship.iter().map(String::as_str).collect();
     let ship = Ship::new(&cells);
+    let pair = dialogue.settings.contains("independent");
     std::thread::spawn(move || {
         while let Some((_, order)) = gear.hear(SOON) {
             // Each rudder is at once where it was ordered.
-            if let ["$AGROR", starboard, _, port, port_status, _] = fields(&order)[..] {
-                let starboard: f64 = starboard.parse().unwrap_or(0.0);
-                gear.say(&format!("IIRSA,{starboard:.2},A,{port},{port_status}"));
+            if let ["$AGROR", starboard, _, port, _, _] = fields(&order)[..] {
+                let angle = |order: &str| order.parse::<f64>().unwrap_or(0.0);
+                let port = match pair {
+                    true => format!("{:.2},A", angle(port)),
+                    false => ",V".to_owned(),
+                };
+                gear.say(&format!("IIRSA,{:.2},A,{port}", angle(starboard)));
             }
         }
     });
