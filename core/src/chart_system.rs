@@ -14,6 +14,8 @@ mod control;
 mod current;
 mod followed;
 mod indications;
+mod loading;
+mod offered;
 mod place;
 mod position;
 mod reckoning;
@@ -24,6 +26,7 @@ mod state;
 mod watch;
 
 pub use config::ChartConfig;
+pub use offered::Offer;
 pub use state::ChartSystem;
 
 #[cfg(test)]

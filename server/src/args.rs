@@ -108,7 +108,7 @@ pub(crate) struct Serve {
     /// Listen on all addresses; from other computers for reading only
     #[arg(long)]
     pub(crate) lan: bool,
-    /// Pace of the embedded voyage, 1 to 60
+    /// Pace of ship's time, 1 to 60: of the embedded voyage, or where every port leads to a pseudo-terminal, a file or loopback
     #[arg(long, value_name = "N", value_parser = pace)]
     pub(crate) speed: Option<f64>,
     /// Record everything, for `replay`

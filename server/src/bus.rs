@@ -10,7 +10,9 @@ use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, oneshot};
 use wheelover_core::station::Switch;
-use wheelover_core::view::{AlertsDocument, Answer, Down, Hello, Line, Order, Snapshot};
+use wheelover_core::view::{
+    AlertsDocument, Answer, Down, Hello, Line, OfferedRoute, Order, Snapshot,
+};
 
 /// Reads of one port that may wait; each is at most 1 KiB.
 const READS: usize = 64;
@@ -45,6 +47,8 @@ pub(crate) enum Asked {
     Hello(oneshot::Sender<Hello>),
     /// Somebody wants the alerts with their history.
     Alerts(oneshot::Sender<AlertsDocument>),
+    /// Somebody looks at the route that is offered (TCS-13).
+    Offered(oneshot::Sender<Option<OfferedRoute>>),
     /// The server ends.
     Stop,
 }
@@ -121,6 +125,13 @@ impl Inlet {
     pub(crate) async fn alerts(&self) -> Option<AlertsDocument> {
         let (sender, receiver) = oneshot::channel();
         self.ask(Asked::Alerts(sender)).ok()?;
+        receiver.await.ok()
+    }
+
+    /// The route that is offered, as of now; the outer none where the control thread has ended.
+    pub(crate) async fn offered(&self) -> Option<Option<OfferedRoute>> {
+        let (sender, receiver) = oneshot::channel();
+        self.ask(Asked::Offered(sender)).ok()?;
         receiver.await.ok()
     }
 

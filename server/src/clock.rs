@@ -1,5 +1,7 @@
 //! The only clock: milliseconds and microseconds since the start, suspend included (FD6).
 
+use std::time::Duration;
+
 /// A monotonic clock that began at its making.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock {
@@ -41,7 +43,8 @@ fn reading() -> u64 {
     u64::try_from(START.elapsed().as_micros()).unwrap_or(u64::MAX)
 }
 
-/// Ship's time for the time on the wall: equal with real equipment, faster in the embedded voyage.
+/// Ship's time for the time on the wall: equal with real equipment, faster in the embedded voyage and in a trial without
+/// real equipment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace {
     wall: u64,
@@ -95,6 +98,40 @@ impl Pace {
     }
 }
 
+/// How fast ship's time runs where bytes come and go: a time on board is so much shorter on the wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tempo(f64);
+
+impl Tempo {
+    /// The clock on the wall: all there is with real equipment.
+    pub(crate) const REAL: Self = Self(1.0);
+
+    /// Ship's time at so many times the clock's.
+    pub(crate) fn new(rate: f64) -> Self {
+        Self(rate)
+    }
+
+    /// How many times faster than the clock.
+    pub(crate) fn rate(self) -> f64 {
+        self.0
+    }
+
+    /// Whether it is another time than the clock's: then nothing real is behind the ports.
+    pub(crate) fn is_trial(self) -> bool {
+        (self.0 - 1.0).abs() > f64::EPSILON
+    }
+
+    /// Microseconds on the wall of so many on board.
+    pub(crate) fn micros(self, on_board: u64) -> u64 {
+        (on_board as f64 / self.0) as u64
+    }
+
+    /// How long a time on board takes.
+    pub(crate) fn wall(self, on_board: Duration) -> Duration {
+        on_board.div_f64(self.0)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -103,7 +140,7 @@ mod tests {
     fn the_clock_goes_forward() {
         let clock = Clock::start();
         let first = clock.micros();
-        std::thread::sleep(std::time::Duration::from_millis(2));
+        std::thread::sleep(Duration::from_millis(2));
         assert!(clock.micros() >= first + 2_000);
     }
 

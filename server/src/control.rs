@@ -5,10 +5,10 @@
 
 #[cfg(debug_assertions)]
 mod drill;
-
 use crate::bus::{Asked, Document, FromPort, Link, News, Place, Queues};
-use crate::clock::{Clock, Pace};
+use crate::clock::{Clock, Pace, Tempo};
 use crate::config::Rules;
+use crate::lines::Lines;
 use crate::persist::Keeper;
 use crate::realtime;
 use crate::recorder::Recorder;
@@ -23,7 +23,7 @@ use wheelover_core::voyage::{Event, Voyage, VoyageOutput};
 
 /// Inputs that are taken before the next step is looked at.
 const BUDGET: usize = 64;
-/// Later than this is a stall, microseconds (FA16).
+/// Later than this on board is a stall, microseconds (FA16).
 const LATE: u64 = 200_000;
 /// A simulated world stands still while its computer does, but a stop of this length is told, microseconds.
 const LONG_STOP: u64 = 2_000_000;
@@ -48,6 +48,8 @@ pub(crate) struct Parts {
     pub(crate) recorder: Option<Recorder>,
     /// Who keeps settings over a restart.
     pub(crate) keeper: Option<Keeper>,
+    /// What a trial's clock waits for.
+    pub(crate) lines: Option<Lines>,
 }
 
 /// Why the thread ended by itself; a panic is another way.
@@ -71,7 +73,7 @@ pub(crate) fn start(
     std::thread::Builder::new()
         .name("control".to_owned())
         .spawn(move || {
-            let _ = granted.send(realtime::ask());
+            let _ = granted.send(realtime::ask(realtime::CONTROL));
             Thread::new(parts).run(&queues)
         })
 }
@@ -89,7 +91,9 @@ struct Thread {
     parts: Parts,
     clock: Clock,
     pace: Pace,
-    simulated: bool,
+    /// The clock stands still while the computer is late, by more than that many microseconds.
+    slips: bool,
+    late: u64,
     /// When the next step or snapshot is due, microseconds.
     planned: u64,
     next_publish: u64,
@@ -106,10 +110,13 @@ struct Thread {
 
 impl Thread {
     fn new(parts: Parts) -> Self {
+        let embedded = parts.voyage.is_embedded();
+        let tempo = Tempo::new(parts.voyage.pace());
         Self {
             clock: Clock::start(),
             pace: Pace::new(parts.voyage.rate()),
-            simulated: parts.voyage.is_embedded(),
+            slips: embedded || tempo.is_trial(),
+            late: if embedded { LATE } else { tempo.micros(LATE) },
             parts,
             planned: 0,
             next_publish: 0,
@@ -144,12 +151,10 @@ impl Thread {
             if let Some(end) = self.end {
                 return end;
             }
-            self.pace
-                .change(self.clock.micros(), self.parts.voyage.rate());
-            self.planned = self
-                .pace
-                .wall(self.parts.voyage.due().0)
-                .min(self.next_publish);
+            let rate = self.parts.voyage.rate();
+            self.pace.change(self.clock.micros(), rate);
+            let due = self.pace.wall(self.parts.voyage.due().0);
+            self.planned = due.min(self.next_publish);
             let wait = self.planned.saturating_sub(self.clock.micros());
             self.listen(queues, Duration::from_micros(wait));
         }
@@ -180,16 +185,18 @@ impl Thread {
         }
     }
 
-    /// FA16: with real equipment the gap counts and every input has to be heard again. The embedded world
-    /// stood still as long as its computer did, so that nothing in it is late; a long stop is told all the same.
+    /// FA16: with real equipment the gap counts and every input has to be heard again. Embedded or in a trial at another
+    /// pace the stations stood still as long as computer and lines did; a long stop is told all the same.
     fn note_lateness(&mut self, wall: u64) {
-        let late = wall.saturating_sub(self.planned);
-        if late <= LATE {
+        let behind = self.parts.lines.as_ref().map_or(0, Lines::behind);
+        let late = wall.saturating_sub(self.planned).max(behind);
+        if late <= self.late {
             return;
         }
         self.planned = wall;
-        if self.simulated {
-            self.pace.slip(wall, self.parts.voyage.now().0);
+        if self.slips {
+            let ship = self.pace.ship(wall.saturating_sub(late));
+            self.pace.slip(wall, ship.max(self.parts.voyage.now().0));
             if late <= LONG_STOP {
                 return;
             }
@@ -208,7 +215,7 @@ impl Thread {
             self.parts.voyage.handle(due, Event::Tick, &mut self.out);
             self.deliver();
             // A computer that is too slow for the pace sails slower.
-            if self.simulated && self.clock.micros().saturating_sub(wall) > LATE / 4 {
+            if self.slips && self.clock.micros().saturating_sub(wall) > self.late / 4 {
                 self.pace.slip(self.clock.micros(), due.0);
                 return;
             }
@@ -245,19 +252,16 @@ impl Thread {
                     by: Origin::Officer,
                     order: action,
                 };
-                self.happen(self.clock.micros(), event);
+                self.happen(event);
             }
-            Asked::Contact { switch, closed } => {
-                self.happen(self.clock.micros(), Event::Contact { switch, closed });
-            }
+            Asked::Contact { switch, closed } => self.happen(Event::Contact { switch, closed }),
             Asked::Hello(reply) => {
                 let mut hello = view::hello(&self.parts.voyage, env!("CARGO_PKG_VERSION"));
                 hello.ship = self.parts.ship;
                 let _ = reply.send(hello);
             }
-            Asked::Alerts(reply) => {
-                let _ = reply.send(view::alerts_document(&self.parts.voyage));
-            }
+            Asked::Alerts(reply) => drop(reply.send(view::alerts_document(&self.parts.voyage))),
+            Asked::Offered(reply) => drop(reply.send(view::offered_route(&self.parts.voyage))),
             Asked::Stop => self.end = Some(End::Asked),
         }
     }
@@ -274,11 +278,9 @@ impl Thread {
             return Ok(());
         };
         let mut settings = autopilot.settings().clone();
-        match settings.set(key, value) {
-            Ok(()) => self.parts.rules.check(&settings),
-            // The autopilot itself says what is wrong with it.
-            Err(_) => Ok(()),
-        }
+        let set = settings.set(key, value);
+        // What is wrong with the value itself is said by the autopilot.
+        set.map_or(Ok(()), |()| self.parts.rules.check(&settings))
     }
 
     fn heard(&mut self, heard: FromPort) {
@@ -286,12 +288,13 @@ impl Thread {
             FromPort::Bytes { port, bytes, place } => (Event::Bytes { port, bytes }, Some(place)),
             FromPort::PortUp { port, up } => (Event::PortUp { port, up }, None),
         };
-        self.happen(self.clock.micros(), event);
+        self.happen(event);
         drop(place);
     }
 
     /// What happens after a stall finds the stations told of it: nothing that was missed is made up for.
-    fn happen(&mut self, wall: u64, event: Event) {
+    fn happen(&mut self, event: Event) {
+        let wall = self.clock.micros();
         self.note_lateness(wall);
         self.take(wall, event);
     }

@@ -74,6 +74,7 @@ fn router(site: Arc<Site>) -> Router {
         .route("/api/route", get(route))
         .route("/api/alerts", get(alerts))
         .route("/api/dialogue", get(dialogue))
+        .route("/api/offered", get(offered))
         .route("/ws", get(socket))
         .fallback(file)
         .layer(middleware::from_fn_with_state(site.clone(), check))
@@ -191,6 +192,17 @@ async fn route(State(site): State<Arc<Site>>) -> Response<Body> {
 /// What the checker of the dialogue has found since the start (CON-2).
 async fn dialogue(State(site): State<Arc<Site>>) -> Response<Body> {
     json(encode(&site.feed.dialogue().found()).unwrap_or_default())
+}
+
+/// The route that a plotter offers to our chart-system side, or null (TCS-13).
+async fn offered(State(site): State<Arc<Site>>) -> Response<Body> {
+    match site.inlet.offered().await {
+        Some(offered) => json(encode(&offered).unwrap_or_default()),
+        None => page::plain(
+            StatusCode::SERVICE_UNAVAILABLE,
+            "the control loop has ended\n",
+        ),
+    }
 }
 
 fn json(text: Utf8Bytes) -> Response<Body> {

@@ -15,6 +15,7 @@ mod error;
 mod feed;
 mod guard;
 mod http;
+mod lines;
 mod log;
 mod outbox;
 pub mod page;

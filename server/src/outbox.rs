@@ -8,8 +8,8 @@ use wheelover_core::talk::{Slot, slot};
 
 /// Kinds that may wait at once; far more than any port has.
 const PLACES: usize = 128;
-/// A periodic sentence that waited longer is not sent: a fresh one follows.
-const OLDEST: Duration = Duration::from_secs(2);
+/// A periodic sentence that waited longer on board is not sent: a fresh one follows.
+pub(crate) const OLDEST: Duration = Duration::from_secs(2);
 
 #[derive(Debug)]
 struct Waiting {
@@ -64,11 +64,11 @@ impl Outbox {
         self.news.notify_one();
     }
 
-    /// The next sentence to send; periodic ones that are too old are left out.
-    pub(crate) fn take(&self, now: Instant) -> Option<Vec<u8>> {
+    /// The next sentence to send; periodic ones that waited for longer than `oldest` are left out.
+    pub(crate) fn take(&self, now: Instant, oldest: Duration) -> Option<Vec<u8>> {
         let mut waiting = self.lock();
         while let Some(next) = waiting.pop_front() {
-            if next.slot().event || now.saturating_duration_since(next.since) <= OLDEST {
+            if next.slot().event || now.saturating_duration_since(next.since) <= oldest {
                 return Some(next.line);
             }
         }
@@ -76,9 +76,9 @@ impl Outbox {
     }
 
     /// Waits until there is something to send, and takes it.
-    pub(crate) async fn next(&self) -> Vec<u8> {
+    pub(crate) async fn next(&self, oldest: Duration) -> Vec<u8> {
         loop {
-            if let Some(line) = self.take(Instant::now()) {
+            if let Some(line) = self.take(Instant::now(), oldest) {
                 return line;
             }
             self.news.notified().await;
@@ -98,7 +98,7 @@ mod tests {
             outbox.push(text.as_bytes(), now);
         }
         let mut sent = Vec::new();
-        while let Some(line) = outbox.take(now) {
+        while let Some(line) = outbox.take(now, OLDEST) {
             sent.push(String::from_utf8(line).unwrap());
         }
         assert_eq!(sent, expect);
@@ -141,8 +141,8 @@ mod tests {
         let now = Instant::now();
         outbox.push(b"$AGROR,1,A\r\n$AGALR,,012,A,V\r\n", now);
         let later = now + Duration::from_secs(3);
-        assert_eq!(outbox.take(later).unwrap(), b"$AGALR,,012,A,V\r\n");
-        assert!(outbox.take(later).is_none());
+        assert_eq!(outbox.take(later, OLDEST).unwrap(), b"$AGALR,,012,A,V\r\n");
+        assert!(outbox.take(later, OLDEST).is_none());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The server as a whole: what runs, how it begins, and how it ends.
 
 use crate::bus::{Asked, Inlet, Link};
+use crate::clock::Tempo;
 use crate::config::{Config, Rules};
 use crate::control::{self, End, Parts};
 use crate::dialogue::Dialogue;
@@ -8,9 +9,10 @@ use crate::error::Error;
 use crate::feed::Feed;
 use crate::guard::Hosts;
 use crate::http::{self, Site};
+use crate::lines::Lines;
 use crate::page::Bundle;
 use crate::persist::{Keeper, Store};
-use crate::ports::Ready;
+use crate::ports::{PortThread, Ready};
 use crate::recorder::Recorder;
 use std::any::Any;
 use std::net::SocketAddr;
@@ -40,7 +42,7 @@ pub(crate) struct Options {
     pub(crate) listen: Option<SocketAddr>,
     /// Listen on all addresses, there for reading only.
     pub(crate) lan: bool,
-    /// Pace of the embedded voyage, 1 to 60.
+    /// Pace of ship's time, 1 to 60; with a configuration only where no port can lead to real equipment.
     pub(crate) speed: Option<f64>,
     /// Where everything is recorded.
     pub(crate) record: Option<PathBuf>,
@@ -109,10 +111,19 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         cautions.extend(config.two_ships());
         keeper = Some(Keeper::begin(store)?);
     }
-    let (listener, addr) = listen(&options).await?;
     let config = options.config.as_ref();
+    let tempo = tempo(config, options.speed)?;
+    let (listener, addr) = listen(&options).await?;
+    let (stop, tasks) = (CancellationToken::new(), TaskTracker::new());
+    // Nothing is left of the ports where the server does not begin.
+    let unless_begun = stop.clone().drop_guard();
     let ready = match config {
-        Some(config) => Some(Ready::open(config).await?),
+        Some(config) => {
+            let thread = PortThread::begin(stop.clone())
+                .map_err(|error| Error::Other(format!("cannot start the ports: {error}")))?;
+            let ready = Ready::open(config.clone(), tempo, &thread).await?;
+            Some((ready, thread))
+        }
         None => None,
     };
     let made = config.map_or_else(|| VoyageConfig::embedded(SEED), Config::voyage);
@@ -121,8 +132,15 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         None => None,
     };
     let mut voyage = Voyage::configured(made);
-    if let Some(speed) = options.speed {
-        set_pace(&mut voyage, speed, recorder.as_mut())?;
+    match options.speed {
+        Some(speed) if voyage.is_embedded() => set_pace(&mut voyage, speed, recorder.as_mut()),
+        _ => voyage.run_at(tempo.rate()),
+    }
+    if tempo.is_trial() {
+        let rate = tempo.rate();
+        cautions.push(format!(
+            "a trial: ship's time runs {rate} times as fast as the clock"
+        ));
     }
     let links = config.map_or_else(Vec::new, links);
     let simulated = voyage.is_embedded();
@@ -141,6 +159,11 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         news,
         recorder,
         keeper,
+        lines: if tempo.is_trial() {
+            Lines::begin().ok()
+        } else {
+            None
+        },
     };
     let thread = control::start(parts, queues, grant)
         .map_err(|error| Error::Other(format!("cannot start the control thread: {error}")))?;
@@ -153,10 +176,9 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         let text = "no real-time priority: under load the control loop may be late";
         cautions.push(text.to_owned());
     }
-    let (stop, tasks) = (CancellationToken::new(), TaskTracker::new());
     tasks.spawn(feed.clone().run(told, links.clone()));
-    if let Some(ready) = ready {
-        ready.start(&links, &inlet, &tasks, &stop);
+    if let Some((ready, thread)) = ready {
+        ready.start(&links, &inlet, &tasks, &stop, &thread);
     }
     let site = Arc::new(Site {
         hosts: Hosts::of_this_machine(),
@@ -169,6 +191,7 @@ pub(crate) async fn serve(mut options: Options) -> Result<Running, Error> {
         page: options.page,
     });
     tasks.spawn(http::accept(listener, site));
+    unless_begun.disarm();
     Ok(Running {
         addr,
         cautions,
@@ -208,11 +231,16 @@ async fn listen(options: &Options) -> Result<(TcpListener, SocketAddr), Error> {
     Ok((listener, addr))
 }
 
-fn set_pace(voyage: &mut Voyage, speed: f64, recorder: Option<&mut Recorder>) -> Result<(), Error> {
-    if !voyage.is_embedded() {
-        let text = "--speed is for the embedded voyage; with a configuration time is as it is";
-        return Err(Error::Other(text.to_owned()));
-    }
+/// At which pace the ports work: another than the clock's only where no real equipment can be behind them.
+fn tempo(config: Option<&Config>, speed: Option<f64>) -> Result<Tempo, Error> {
+    let (Some(config), Some(speed)) = (config, speed) else {
+        return Ok(Tempo::REAL);
+    };
+    config.may_run_at(speed).map_err(Error::Other)?;
+    Ok(Tempo::new(speed))
+}
+
+fn set_pace(voyage: &mut Voyage, speed: f64, recorder: Option<&mut Recorder>) {
     let mut out = Vec::new();
     let event = Event::Order {
         id: 0,
@@ -227,5 +255,4 @@ fn set_pace(voyage: &mut Voyage, speed: f64, recorder: Option<&mut Recorder>) ->
     } else {
         voyage.handle(Stamp(0), event, &mut out);
     }
-    Ok(())
 }

@@ -1,6 +1,7 @@
 //! The real binary on serial lines: dialogues, pulled plugs, hostile input, two programs joined by null modems.
 #![allow(clippy::unwrap_used)]
 
+mod at_another_pace;
 mod both_programs;
 mod dialogue;
 mod examples;
@@ -9,6 +10,8 @@ mod golden;
 mod hostile;
 mod management;
 mod no_route;
+mod offered_route;
+mod pair;
 mod plotter;
 mod ports;
 mod ship;

@@ -4,6 +4,7 @@ use crate::deck::Deck;
 use crate::drawing::Drawing;
 use crate::heard::Lane;
 use crate::lookup::Dictionary;
+use crate::offered::Offered;
 use crate::{format, situation};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -79,6 +80,7 @@ pub(crate) fn Dialogue() -> impl IntoView {
                 <h2>{move || format!("from the {}", station())}</h2>
                 <LaneRows port heard=false chosen/>
             </section>
+            <Offered/>
             <Looked chosen/>
             <Log port/>
             <Checked port/>

@@ -79,8 +79,19 @@ impl Drawing {
     }
 
     /// A circle.
-    pub fn circle(&mut self, class: &str, (x, y): (f64, f64), radius: f64) -> &mut Self {
-        self.named("circle", class, "");
+    pub fn circle(&mut self, class: &str, at: (f64, f64), radius: f64) -> &mut Self {
+        self.named_circle(class, "", at, radius)
+    }
+
+    /// A circle of the plan with a name for tests and scripts.
+    pub fn named_circle(
+        &mut self,
+        class: &str,
+        plan: &str,
+        (x, y): (f64, f64),
+        radius: f64,
+    ) -> &mut Self {
+        self.named("circle", class, plan);
         self.number("cx", x).number("cy", y).number("r", radius);
         self.plain("/>")
     }

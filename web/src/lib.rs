@@ -9,7 +9,7 @@
 //! `cancel`, `silence`, `acknowledge`, `speed-1` … `speed-60`, `officer`, `chart-track`, `chart-heading`, `chart-stop`,
 //! `fault-chart-silent`, `fault-gyro-jump`, `fault-position-jump`, `current`, `north-up`, `head-up`, `course-up`,
 //! `range-in`, `range-out`, `palette`; in the modes' view also `wind_vane`, `river_pilot`, `dodge`, `ffu_override`, `installation`, `autotuning`,
-//! `set-10`, `set-1`, `set+1`, `set+10`, `tack-port`, `tack-starboard`. All that moves the rudder but STANDBY is pressed and then confirmed.
+//! `set-10`, `set-1`, `set+1`, `set+10`, `tack-port`, `tack-starboard`; in the dialogue view `load-route`. All that moves the rudder but STANDBY is pressed and then confirmed.
 //!
 //! **Invariant:** nothing older than its limit is shown as live: ages are computed here, by a clock that nobody can set, before
 //! each picture that the browser paints.
@@ -57,6 +57,8 @@ pub mod link;
 mod lookup;
 #[cfg(target_arch = "wasm32")]
 mod modes;
+#[cfg(target_arch = "wasm32")]
+mod offered;
 #[cfg(target_arch = "wasm32")]
 mod palette;
 #[cfg(target_arch = "wasm32")]

@@ -121,9 +121,10 @@ impl ChartSystem {
         Some(self.route.as_ref()?.leg(leg).corridor())
     }
 
-    /// What the dead reckoning may be off, two sigma; none while the position is known.
+    /// Where the dead reckoning has her, and what it may be off, two sigma; none while the position is known.
     #[must_use]
-    pub fn two_sigma(&self) -> Option<Distance> {
-        self.reckoning.map(|reckoning| reckoning.two_sigma())
+    pub fn adrift(&self) -> Option<(Position, Distance)> {
+        let reckoning = self.reckoning?;
+        Some((reckoning.place, reckoning.two_sigma()))
     }
 }

@@ -24,6 +24,7 @@ impl ChartSystem {
         self.now = self.now.max(now);
         match order {
             Order::Chart(request) => self.control(now, *request),
+            Order::LoadRoute(number) => self.load_offer(*number),
             Order::Acknowledge(number) if self.watch.acknowledge(now, *number) => {
                 Ok(format!("alert {number} acknowledged"))
             }

@@ -2,7 +2,7 @@
 
 use crate::route::Route;
 use crate::station::{ChecksumPolicy, PortSetup, Profile};
-use crate::units::Distance;
+use crate::units::{Distance, Radius, Speed};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +29,12 @@ pub struct ChartConfig {
     pub begin_cross_track: Distance,
     /// Largest difference of heading and track at which control may begin, degrees.
     pub begin_angle_deg: f64,
+    /// Radius of the turns of a route that a plotter offers: its sentences have none (TCS-13).
+    pub offered_radius: Radius,
+    /// Corridor of its legs, to each side.
+    pub offered_corridor: Distance,
+    /// Planned speed, by which its turns are judged.
+    pub planned_speed: Speed,
     /// From the antenna to the conning position: metres forward, metres to starboard (AP-16).
     pub conning_offset_m: [f64; 2],
 }
@@ -59,6 +65,9 @@ impl Default for ChartConfig {
             dead_reckoning: false,
             begin_cross_track: Distance::from_nm(0.5),
             begin_angle_deg: 90.0,
+            offered_radius: Radius::from_nm(0.5),
+            offered_corridor: Distance::from_nm(0.1),
+            planned_speed: Speed::from_knots(15.0),
             conning_offset_m: [0.0, 0.0],
         }
     }

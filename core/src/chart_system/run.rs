@@ -90,6 +90,7 @@ impl Station for ChartSystem {
 
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
         self.hear_of_alerts(now, port, sentence);
+        self.hear_of_routes(now, port, sentence);
         self.judge_fix(now);
         self.supervise(now);
     }

@@ -3,6 +3,7 @@
 use super::config::ChartConfig;
 use super::control::{Commanding, CrossTracks, Followed};
 use super::current::Current;
+use super::offered::Offered;
 use super::place::PositionGuard;
 use super::reckoning::{Known, Reckoning};
 use super::watch::TurnIndications;
@@ -40,6 +41,8 @@ pub struct ChartSystem {
     pub(super) reports: Reports,
     /// The autopilot's (TCS-13).
     pub(super) heard: HeardAlerts,
+    /// What a plotter offers (TCS-13).
+    pub(super) offered: Offered,
     pub(super) why: String,
     pub(super) now: Stamp,
     pub(super) timers: Timers<Timer>,
@@ -70,6 +73,7 @@ impl ChartSystem {
             followed: Followed::default(),
             shown: CrossTracks::default(),
             watch: TurnIndications::default(),
+            offered: Offered::default(),
             why: String::new(),
             now: Stamp::default(),
             timers: Timers::new(&[]),

@@ -4,6 +4,7 @@ mod dialogue;
 mod followed;
 mod heading_control;
 mod indications;
+mod offered;
 mod position;
 mod situations;
 mod station;

@@ -63,6 +63,8 @@ pub enum Order {
     },
     /// Control by our chart-system side.
     Chart(ChartRequest),
+    /// Have our chart-system side monitor the route with this number that a plotter offers (TCS-13).
+    LoadRoute(u64),
     /// Change a setting.
     Setting {
         /// Its name in the settings table.
@@ -95,6 +97,7 @@ impl Order {
                 | Self::Fault { .. }
                 | Self::Current { .. }
                 | Self::Chart(_)
+                | Self::LoadRoute(_)
         )
     }
 }

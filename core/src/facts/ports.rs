@@ -17,6 +17,8 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
         (Role::ChartSystem, Profile::Ecdis) => &[
             "HTD", "RSA", "ROR", "HDT", "HMR", "ALR", "ALA", "ALF", "ALC", "HBT",
         ],
+        // A route that is offered; it is loaded by an officer's order only.
+        (Role::ChartSystem, Profile::Plotter) => &["RTE", "WPL"],
         (_, Profile::Gyro1 | Profile::Gyro2 | Profile::Thd) => &["HDT", "THS", "ROT"],
         (_, Profile::Magn) => &["HDG", "HDM"],
         (_, Profile::Gps | Profile::Gps2) => &["GGA", "GLL", "RMC", "VTG", "ZDA", "GNS"],
@@ -31,10 +33,7 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
         (_, Profile::Wind) => &["MWV", "MWD", "VWR", "VWT"],
         (Role::Autopilot, Profile::Hmi) => &["PEMC"],
         (_, Profile::Bams) => &["ACN", "HBT"],
-        (
-            _,
-            Profile::Gear | Profile::Stand | Profile::Plotter | Profile::Hmi | Profile::Monitor,
-        ) => &[],
+        (_, Profile::Gear | Profile::Stand | Profile::Hmi | Profile::Monitor) => &[],
     }
 }
 

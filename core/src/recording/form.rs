@@ -88,6 +88,9 @@ form!(Chart of ChartConfig {
     dead_reckoning: bool = dead_reckoning;
     begin_cross_track_m: Distance = begin_cross_track;
     begin_angle_deg: f64 = begin_angle_deg;
+    offered_radius_m: Radius = offered_radius;
+    offered_corridor_m: Distance = offered_corridor;
+    planned_speed_mps: Speed = planned_speed;
     conning_offset_m: [f64; 2] = conning_offset_m;
 } rest { route: None; ports: Vec::new(); });
 

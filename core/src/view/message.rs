@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Raised whenever the text of any message changes.
-pub const PROTOCOL: u32 = 11;
+pub const PROTOCOL: u32 = 12;
 
 /// A frame from the server.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -246,6 +246,8 @@ pub struct ChartOwn {
     pub wheel_over_s: Option<f64>,
     /// Last refusal or indication.
     pub why: String,
+    /// Where dead reckoning has her, and what that may be off, two sigma, metres; absent while the position is known (TCS-14).
+    pub adrift: Option<(Position, f64)>,
 }
 
 /// The embedded voyage's own facts.

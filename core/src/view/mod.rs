@@ -1,6 +1,7 @@
 //! What crosses between server and browser: the messages, the projections that make them, and what an order was pressed beside.
 
 mod message;
+mod offered;
 mod own;
 mod past;
 mod press;
@@ -13,6 +14,7 @@ pub use crate::command::{Answer, ChartRequest, FaultKind, ModeRequest, Order, Or
 pub use crate::settings::Value;
 pub use crate::voyage::Line;
 pub use message::*;
+pub use offered::{OfferedRoute, offered_route};
 pub use own::own;
 pub use past::{AlertsDocument, PastView, alerts_document};
 pub use press::Presses;

@@ -123,6 +123,7 @@ pub(super) fn chart_own(chart: &ChartSystem) -> ChartOwn {
         leg: chart.leg().unwrap_or(0),
         wheel_over_s: chart.wheel_over_s(chart.now()),
         why: chart.reason(),
+        adrift: chart.adrift().map(|(place, off)| (place, off.m())),
     }
 }
 

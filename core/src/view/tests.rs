@@ -91,6 +91,13 @@ fn messages() -> Vec<String> {
                 leg: 2,
                 wheel_over_s: Some(-40.0),
                 why: String::new(),
+                adrift: Some((
+                    Position {
+                        lat: 59.5,
+                        lon: 25.0,
+                    },
+                    64.5,
+                )),
             }),
             voyage: Some(VoyageOwn {
                 officer: true,

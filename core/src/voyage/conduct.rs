@@ -42,7 +42,7 @@ impl Voyage {
             Order::Current { .. } => self
                 .ask(now, Role::World, by, order, out)
                 .unwrap_or_else(|| Err(NOT_EMBEDDED.into())),
-            Order::Chart(_) => self
+            Order::Chart(_) | Order::LoadRoute(_) => self
                 .ask(now, Role::ChartSystem, by, order, out)
                 .unwrap_or_else(|| Err("the chart system is a foreign one".into())),
             Order::Acknowledge(number)

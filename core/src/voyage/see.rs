@@ -13,14 +13,25 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 impl Voyage {
-    /// Ship's time for each second of the clock on the wall: 1 while a confirmation is open.
+    /// Ship's time for each second of the clock on the wall: in the embedded voyage 1 while a confirmation is open.
     #[must_use]
     pub fn rate(&self) -> f64 {
         let pending = self
             .autopilot
             .as_ref()
             .is_some_and(|autopilot| autopilot.pending().is_some());
-        if pending { 1.0 } else { self.speed }
+        // Who is behind a port knows of no confirmation here.
+        if pending && self.is_embedded() {
+            1.0
+        } else {
+            self.speed
+        }
+    }
+
+    /// Lets ship's time run at another pace from the start. Nothing in the stations depends on it; with real equipment it
+    /// is 1.
+    pub fn run_at(&mut self, pace: f64) {
+        self.speed = pace;
     }
 
     /// The alerts of the stations that run here, in the order in which they are shown.

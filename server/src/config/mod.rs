@@ -4,6 +4,7 @@ mod built;
 mod chart;
 mod contact;
 mod load;
+mod pace;
 mod port;
 mod read;
 mod route;
@@ -15,6 +16,7 @@ mod tests;
 mod types;
 mod voyage;
 
+pub(crate) use pace::pseudo_terminal;
 pub(crate) use read::read;
 pub(crate) use rules::Rules;
 pub(crate) use show::in_force;

@@ -63,7 +63,12 @@ fn chart(config: &Config, out: &mut String) -> std::fmt::Result {
     let chart = &config.chart;
     writeln!(out, "\n[chart_system]\nearly_s = {:?}", chart.early_s)?;
     writeln!(out, "soon_s = {:?}\neve = {}", chart.soon_s, chart.eve)?;
-    writeln!(out, "dead_reckoning = {}", chart.dead_reckoning)
+    writeln!(out, "dead_reckoning = {}", chart.dead_reckoning)?;
+    writeln!(
+        out,
+        "offered_radius_nm = {:?}\noffered_xtd_m = {:?}",
+        chart.offered_radius_nm, chart.offered_xtd_m
+    )
 }
 
 fn contacts(config: &Config, out: &mut String) -> std::fmt::Result {

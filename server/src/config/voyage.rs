@@ -7,7 +7,7 @@ use wheelover_core::route::embedded_start;
 use wheelover_core::settings::Rudders;
 use wheelover_core::station::PortSetup;
 use wheelover_core::station::Role;
-use wheelover_core::units::{Course, Heading, Speed};
+use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
 use wheelover_core::voyage::VoyageConfig;
 use wheelover_core::world::WorldConfig;
 
@@ -30,6 +30,9 @@ impl Config {
             soon_s: self.chart.soon_s,
             eve: self.chart.eve,
             dead_reckoning: self.chart.dead_reckoning,
+            offered_radius: Radius::from_nm(self.chart.offered_radius_nm),
+            offered_corridor: Distance::from_m(self.chart.offered_xtd_m),
+            planned_speed: Speed::from_knots(ship.speed()),
             conning_offset_m: [
                 ship.conning_forward_m - ship.antenna_forward_m,
                 ship.conning_starboard_m - ship.antenna_starboard_m,

@@ -36,6 +36,7 @@ fn what_is_asked_last_is_taken_before_all_that_was_heard() {
         news,
         recorder: None,
         keeper: None,
+        lines: None,
     });
     thread.listen(&queues, Duration::ZERO);
     let answer = answers.try_recv().unwrap();

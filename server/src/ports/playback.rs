@@ -1,6 +1,7 @@
-//! A recording in the place of a line: its lines are heard once, at their times or at the pace of a 4800 baud line.
+//! A recording in the place of a line: its lines are heard once, at their times on board or at the pace of a 4800 baud line.
 
 use crate::bus::{Inlet, Link};
+use crate::clock::Tempo;
 use std::io;
 use std::path::Path;
 use std::time::Duration;
@@ -12,7 +13,7 @@ use tokio::time::{Instant, sleep, sleep_until};
 const LONGEST: u64 = 1024;
 
 /// Plays a recording to its end.
-pub(super) async fn play(path: &Path, link: &Link, inlet: &Inlet) -> io::Result<()> {
+pub(super) async fn play(path: &Path, link: &Link, inlet: &Inlet, tempo: Tempo) -> io::Result<()> {
     let mut file = BufReader::new(File::open(path).await?);
     inlet.port_up(link, true);
     let start = Instant::now();
@@ -32,9 +33,13 @@ pub(super) async fn play(path: &Path, link: &Link, inlet: &Inlet) -> io::Result<
         match at {
             Some(at) => {
                 let zero = *first.get_or_insert(at);
-                sleep_until(start + Duration::from_secs_f64((at - zero).clamp(0.0, 1e6))).await;
+                let after = Duration::from_secs_f64((at - zero).clamp(0.0, 1e6));
+                sleep_until(start + tempo.wall(after)).await;
             }
-            None => sleep(Duration::from_secs_f64(text.len() as f64 / 480.0)).await,
+            None => {
+                let long = Duration::from_secs_f64(text.len() as f64 / 480.0);
+                sleep(tempo.wall(long)).await;
+            }
         }
         let bytes = text.to_vec();
         if !bytes.is_empty() {

@@ -3,11 +3,13 @@
 use super::contacts::Contacts;
 use super::open::{self, Opened};
 use super::playback;
-use super::stood::{self, Stood};
+use super::stood::Stood;
 use super::wire::{Moved, Wire};
 use crate::bus::{Inlet, Link, Trouble};
+use crate::clock::Tempo;
 use crate::config::{Place, Port};
 use crate::error::reason;
+use crate::outbox::OLDEST;
 use std::io;
 use std::time::Duration;
 use tokio::net::TcpListener;
@@ -15,10 +17,12 @@ use tokio::time::{Instant, sleep, sleep_until};
 
 /// First and longest wait before a port is tried again (FB9).
 const BACK_OFF: [Duration; 2] = [Duration::from_millis(100), Duration::from_secs(1)];
-/// A line that took nothing for this long is blocked (FB11).
+/// A line that took nothing for this long on board is blocked (FB11).
 const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
-/// Seconds of line that the system may hold back before it counts as blocked.
+/// Seconds on board of line that the system may hold back before it counts as blocked.
 const HELD_BACK: f64 = 0.3;
+/// Between two looks whether the system still holds back, on board.
+const LOOK_AGAIN: Duration = Duration::from_millis(50);
 /// Bytes a second that are read of one port: 270 times what 38,400 baud carry.
 const READ_AT_MOST: f64 = 1_048_576.0;
 /// Bytes that may come at once, as when a recording is played into a line.
@@ -26,48 +30,53 @@ const AT_ONCE: f64 = 262_144.0;
 /// So long after it was held back a line still counts as one that floods.
 const FLOODED_FOR: Duration = Duration::from_secs(1);
 
+/// Our end of a port: what its task works with.
+pub(super) struct End {
+    pub(super) port: Port,
+    /// Contacts that are read at it.
+    pub(super) contacts: Contacts,
+    pub(super) link: Link,
+    pub(super) inlet: Inlet,
+    /// How fast ship's time runs.
+    pub(super) tempo: Tempo,
+}
+
 /// Runs a port, for ever.
-pub(super) async fn run(
-    port: Port,
-    mut opened: Option<Opened>,
-    mut contacts: Contacts,
-    link: Link,
-    inlet: Inlet,
-) {
+pub(super) async fn run(mut end: End, mut opened: Option<Opened>) {
     let mut wait = BACK_OFF[0];
     let mut came = false;
     loop {
         let now = match opened.take() {
             Some(opened) => Ok(opened),
-            None => open::open(&port.place).await,
+            None => open::open(&end.port.place, end.tempo).await,
         };
         match now {
             Ok(Opened::Wire(wire)) => {
                 (wait, came) = (BACK_OFF[0], true);
-                let lost = converse(wire, &port, &mut contacts, &link, &inlet).await;
-                say(&link, lost_words(&lost));
+                let lost = converse(wire, &mut end).await;
+                say(&end.link, lost_words(&lost));
             }
             Ok(Opened::Listener(listener)) => {
                 wait = BACK_OFF[0];
-                serve(&listener, &port, &link, &inlet).await;
+                serve(&listener, &mut end).await;
             }
             Ok(Opened::Recording(path)) => {
-                let played = playback::play(&path, &link, &inlet).await;
+                let played = playback::play(&path, &end.link, &end.inlet, end.tempo).await;
                 let words = match played {
                     Ok(()) => "end of the recording".to_owned(),
                     Err(error) => reason(&error),
                 };
-                return say(&link, words);
+                return say(&end.link, words);
             }
             Err(failure) => {
                 // One that was never there is gone too (FD9); what came and went has said so.
                 if !std::mem::replace(&mut came, true) {
-                    inlet.port_up(&link, false);
+                    end.inlet.port_up(&end.link, false);
                 }
-                say(&link, failure.text);
+                say(&end.link, failure.text);
             }
         }
-        contacts.look(None, &inlet);
+        end.contacts.look(None, &end.inlet);
         sleep(wait).await;
         wait = (wait * 2).min(BACK_OFF[1]);
     }
@@ -81,9 +90,9 @@ fn lost_words(error: &io::Error) -> String {
 }
 
 /// One client at a time: who came first keeps the line until it is lost.
-async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) {
-    inlet.port_up(link, false);
-    say(link, "nobody has called".to_owned());
+async fn serve(listener: &TcpListener, end: &mut End) {
+    end.inlet.port_up(&end.link, false);
+    say(&end.link, "nobody has called".to_owned());
     loop {
         let Ok((stream, _)) = listener.accept().await else {
             sleep(BACK_OFF[0]).await;
@@ -98,14 +107,13 @@ async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) 
                 }
             }
         };
-        let mut none = Contacts::new(Vec::new());
         tokio::select! {
-            lost = converse(Wire::Tcp(stream), port, &mut none, link, inlet) => {
+            lost = converse(Wire::Tcp(stream), end) => {
                 let words = match lost.kind() {
                     io::ErrorKind::UnexpectedEof => "the other side hung up".to_owned(),
                     _ => reason(&lost),
                 };
-                say(link, words);
+                say(&end.link, words);
             }
             () = turn_away => {}
         }
@@ -113,34 +121,30 @@ async fn serve(listener: &TcpListener, port: &Port, link: &Link, inlet: &Inlet) 
 }
 
 /// Moves bytes both ways until the line is lost; says why.
-async fn converse(
-    mut wire: Wire,
-    port: &Port,
-    contacts: &mut Contacts,
-    link: &Link,
-    inlet: &Inlet,
-) -> io::Error {
-    inlet.port_up(link, true);
-    if link.set_trouble(Trouble::None) {
-        tracing::info!("port {} is there", link.name);
+async fn converse(mut wire: Wire, end: &mut End) -> io::Error {
+    end.inlet.port_up(&end.link, true);
+    if end.link.set_trouble(Trouble::None) {
+        tracing::info!("port {} is there", end.link.name);
     }
-    let lost = move_bytes(&mut wire, port, contacts, link, inlet).await;
-    inlet.port_up(link, false);
+    let lost = move_bytes(&mut wire, end).await;
+    end.inlet.port_up(&end.link, false);
     lost
 }
 
-async fn move_bytes(
-    wire: &mut Wire,
-    port: &Port,
-    contacts: &mut Contacts,
-    link: &Link,
-    inlet: &Inlet,
-) -> io::Error {
+async fn move_bytes(wire: &mut Wire, end: &mut End) -> io::Error {
+    let End {
+        port,
+        contacts,
+        link,
+        inlet,
+        tempo,
+    } = end;
+    let (link, inlet, tempo) = (&*link, &*inlet, *tempo);
     let mut buffer = [0; 1024];
     let mut line: Vec<u8> = Vec::new();
-    let mut pace = Pace::new(&port.place);
+    let mut pace = Pace::new(&port.place, tempo);
     let mut flood = Flood::new();
-    let mut stood = Stood::new();
+    let mut stood = Stood::new(tempo);
     loop {
         stood.look();
         let writing = !line.is_empty();
@@ -160,7 +164,7 @@ async fn move_bytes(
                 }
                 Err(error) => return error,
             },
-            () = sleep(stood::LOOK) => {}
+            () = sleep(stood.wait()) => {}
             () = contacts.due(), if !contacts.is_empty() => {
                 contacts.look(wire.control_lines(), inlet);
             },
@@ -178,21 +182,21 @@ async fn move_bytes(
                         trouble(link, Trouble::Blocked);
                         wire.discard();
                     }
-                    pace.free = Instant::now() + Duration::from_millis(50);
+                    pace.free = Instant::now() + tempo.wall(LOOK_AGAIN);
                 }
             },
-            next = next(link), if !writing && pace.is_free() => {
+            next = next(link, tempo), if !writing && pace.is_free() => {
                 line = next;
-                pace.deadline = Instant::now() + WRITE_TIMEOUT;
+                pace.deadline = Instant::now() + pace.patience;
             },
         }
     }
 }
 
 /// The next sentence to send; never where nothing may leave the port.
-async fn next(link: &Link) -> Vec<u8> {
+async fn next(link: &Link, tempo: Tempo) -> Vec<u8> {
     match &link.outbox {
-        Some(outbox) => outbox.next().await,
+        Some(outbox) => outbox.next(tempo.wall(OLDEST)).await,
         None => std::future::pending().await,
     }
 }
@@ -269,19 +273,26 @@ struct Pace {
     deadline: Instant,
     /// Since when the system holds bytes back.
     since: Option<Instant>,
+    /// How long the line may take nothing.
+    patience: Duration,
+    /// Bytes that the system may hold back.
+    held_back: f64,
 }
 
 impl Pace {
-    fn new(place: &Place) -> Self {
+    fn new(place: &Place, tempo: Tempo) -> Self {
         let now = Instant::now();
+        let on_board = match place {
+            Place::Serial(_, baud) => Some(f64::from(*baud) / 10.0),
+            _ => None,
+        };
         Self {
-            rate: match place {
-                Place::Serial(_, baud) => Some(f64::from(*baud) / 10.0),
-                _ => None,
-            },
+            rate: on_board.map(|rate| rate * tempo.rate()),
             free: now,
             deadline: now,
             since: None,
+            patience: tempo.wall(WRITE_TIMEOUT),
+            held_back: HELD_BACK * on_board.unwrap_or(f64::INFINITY),
         }
     }
 
@@ -291,7 +302,7 @@ impl Pace {
 
     fn wrote(&mut self, count: usize) {
         let now = Instant::now();
-        self.deadline = now + WRITE_TIMEOUT;
+        self.deadline = now + self.patience;
         if let Some(rate) = self.rate {
             self.free = self.free.max(now) + Duration::from_secs_f64(count as f64 / rate);
         }
@@ -300,7 +311,7 @@ impl Pace {
     /// Whether the system holds back more than the line would have carried by now.
     fn blocked(&mut self, wire: &Wire) -> bool {
         let held = f64::from(wire.held_back());
-        let blocked = self.rate.is_some_and(|rate| held > HELD_BACK * rate);
+        let blocked = held > self.held_back;
         if !blocked {
             self.since = None;
         } else if self.since.is_none() {
@@ -311,7 +322,7 @@ impl Pace {
 
     fn stuck(&self) -> bool {
         self.since
-            .is_some_and(|since| since.elapsed() >= WRITE_TIMEOUT)
+            .is_some_and(|since| since.elapsed() >= self.patience)
     }
 }
 

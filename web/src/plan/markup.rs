@@ -17,6 +17,11 @@ impl Scene<'_> {
             Some(told) => foreign::draw(self, told, &mut drawing),
             None => track::draw(self, &mut drawing),
         }
+        // TCS-14: how far off she may be while nobody knows her place.
+        if let Some((place, off)) = self.chart.and_then(|chart| chart.adrift) {
+            let radius = off * self.frame.scale;
+            drawing.named_circle("predictor", "two-sigma", self.frame.place(place), radius);
+        }
         ship::draw(self, &mut drawing);
         drawing.markup()
     }
@@ -86,12 +91,17 @@ mod tests {
     }
 
     fn drawn(readings: &Readings) -> String {
+        drawn_adrift(readings, None)
+    }
+
+    fn drawn_adrift(readings: &Readings, adrift: Option<(Position, f64)>) -> String {
         let chart = ChartOwn {
             situation: 2,
             control: "track".to_owned(),
             leg: 0,
             wheel_over_s: None,
             why: String::new(),
+            adrift,
         };
         let ship = place(54.01, 12.0);
         Scene {
@@ -132,6 +142,28 @@ mod tests {
         for part in ["own-ship", "heading-line", "vector", "predictor"] {
             assert!(ship.contains(&format!("data-plan=\"{part}\"")), "{part}");
         }
+    }
+
+    // TCS-14
+    #[test]
+    fn the_circle_of_two_sigma_stands_about_the_reckoned_place_while_she_is_adrift() {
+        let nothing = Readings::default();
+        assert!(!drawn(&nothing).contains("two-sigma"));
+        // A mile is 100 units of a view of 600 that reaches three of them; she is reckoned a mile north of its middle.
+        let adrift = Some((place(54.01 + 1.0 / 60.0, 12.0), 926.0));
+        let circle = |markup: &str| {
+            let from = markup.find("data-plan=\"two-sigma\"").expect("a circle");
+            let text = &markup[from..from + markup[from..].find("/>").unwrap()];
+            ["cx=\"", "cy=\"", "r=\""].map(|name| {
+                let value = text.split(name).nth(1).unwrap();
+                value.split('"').next().unwrap().parse::<f64>().unwrap()
+            })
+        };
+        let [x, y, radius] = circle(&drawn_adrift(&nothing, adrift));
+        let [_, low, _] = circle(&drawn_adrift(&nothing, Some((place(54.01, 12.0), 926.0))));
+        assert!((x - 400.0).abs() < 1.0, "{x}");
+        assert!((low - y - 100.0).abs() < 1.0, "{low} {y}");
+        assert!((radius - 50.0).abs() < 0.2, "{radius}");
     }
 
     #[test]

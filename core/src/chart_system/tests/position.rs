@@ -154,7 +154,7 @@ fn where_it_is_set_control_goes_on_by_dead_reckoning_and_says_so() {
             assert_eq!(said.xte.status, Some(DataStatus::Valid));
             let (there, _) = bench.place();
             let off = rhumb::between(there, said.gll.position.unwrap()).1.m();
-            let two_sigma = bench.chart.two_sigma().unwrap().m();
+            let two_sigma = bench.chart.adrift().unwrap().1.m();
             assert!(
                 off < 30.0 && (20.0..185.2).contains(&two_sigma),
                 "{second}: {off}"
@@ -199,7 +199,7 @@ fn a_position_that_is_back_elsewhere_ends_control_and_one_at_hand_does_not() {
         let said = bench.second();
         let controls = said.htc.steering_mode == Some(SteeringMode::TrackControl);
         assert_eq!(controls, goes_on, "{}", bench.chart.reason());
-        assert_eq!(bench.chart.two_sigma(), None);
+        assert_eq!(bench.chart.adrift(), None);
         let alerts = &bench.chart.watch.alerts;
         assert!(!alerts.raised(crate::alerts::Alert::ManualSteering));
     }
