@@ -173,6 +173,9 @@ pub(crate) trait Station {
     /// Acts on a sentence that the port may say; it stands in the picture already.
     fn heard(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>);
 
+    /// Says what a sentence that was just heard asks for.
+    fn answer(&mut self, _now: Stamp, _out: &mut Vec<Output>) {}
+
     /// Notes a sentence that the port's policy does not accept.
     fn refused(&mut self, _now: Stamp, _port: PortIndex, _sentence: &Sentence<'_>) {}
 }
@@ -236,4 +239,5 @@ fn take(
     } else {
         station.refused(now, port, &sentence);
     }
+    station.answer(now, out);
 }

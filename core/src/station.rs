@@ -70,6 +70,8 @@ pub enum Profile {
     Plotter,
     /// Wind sensor.
     Wind,
+    /// Inertial sensor of a small craft: heading, rate of turn, heel.
+    Imu,
     /// Hand-held control unit.
     Hmi,
     /// Bridge alert management.
@@ -80,7 +82,7 @@ pub enum Profile {
 
 impl Profile {
     /// All, in the order of the interface (section 3a).
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Ecdis,
         Self::Gyro1,
         Self::Gyro2,
@@ -94,6 +96,7 @@ impl Profile {
         Self::Stand,
         Self::Plotter,
         Self::Wind,
+        Self::Imu,
         Self::Hmi,
         Self::Bams,
         Self::Monitor,
@@ -116,6 +119,7 @@ impl Profile {
             Self::Stand => "stand",
             Self::Plotter => "plotter",
             Self::Wind => "wind",
+            Self::Imu => "imu",
             Self::Hmi => "hmi",
             Self::Bams => "bams",
             Self::Monitor => "monitor",
@@ -273,6 +277,8 @@ pub enum Output {
         /// It closes.
         closed: bool,
     },
+    /// Settings in force have changed, and are not kept.
+    Settings,
     /// A setting to be kept over a restart.
     Persist {
         /// Its name in the settings table.

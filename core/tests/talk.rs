@@ -27,7 +27,7 @@ fn ports(baud: u32) -> Vec<PortSetup> {
 }
 
 /// Its place among the ports.
-const BAMS: usize = 14;
+const BAMS: usize = 15;
 
 /// What bridge alert management says at `now`: a heartbeat that is not repeated, and a command that is refused.
 fn management(now: Stamp) -> &'static [u8] {
@@ -120,15 +120,15 @@ fn each_station_says_what_the_table_says_as_often_and_no_longer() {
             for row in talk::told(station, profile) {
                 let count = counts.get(&(profile.name(), row.formatter().to_string()));
                 let count = count.copied().unwrap_or_default();
-                let magnetic = ["HDG", "HDM"].contains(&row.formatter());
+                let magnetic = ["HDG", "HDM", "XDR"].contains(&row.formatter());
                 let expect = match row.when {
-                    // Of a magnetic compass in use, where here a gyro is.
+                    // Of a magnetic compass or an inclinometer, where here a gyro is.
                     _ if magnetic && station == Role::Autopilot => 0,
                     When::Every(period) => SECONDS * 1_000 / period,
                     When::Renewed(period) => (SECONDS * 1_000 / period).max(1),
                     When::Step => SECONDS * 10,
                     When::Change => count.max(1),
-                    When::Asked => count,
+                    When::Asked | When::Requested => count,
                     When::Operated => 0,
                 };
                 assert!(

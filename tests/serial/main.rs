@@ -7,6 +7,7 @@ mod dialogue;
 mod examples;
 mod foreign;
 mod golden;
+mod hand_unit;
 mod hostile;
 mod management;
 mod no_route;
@@ -32,7 +33,7 @@ fn autopilot(folder: &Path, ports: &[&str], allow_output: bool) -> String {
             "[[port]]\nname = \"{port}\"\nkind = \"serial\"\npath = \"{}\"\nbaud = 38400\n\
              profile = \"{port}\"\noutput = {}\n",
             folder.join(port).display(),
-            matches!(*port, "bams" | "ecdis" | "gear" | "plotter")
+            matches!(*port, "bams" | "ecdis" | "gear" | "hmi" | "plotter")
         );
     }
     let file = folder.join("wheelover.toml");

@@ -6,7 +6,7 @@ use wheelover_core::geo::Position;
 use wheelover_core::limits::Freshness;
 use wheelover_core::picture::{Heard, Picture};
 use wheelover_core::time::Stamp;
-use wheelover_core::units::{Heading, wrap_180};
+use wheelover_core::units::wrap_180;
 use wheelover_core::view::{Own, RefusedView};
 
 /// A heading that was not judged yet is shown within so much of the believed one: degrees, and degrees a second.
@@ -35,10 +35,8 @@ pub fn heading(picture: &Picture, own: &Own, now: Stamp) -> Reading<f64> {
         picture.heading(now),
         now,
         |compass| {
-            compass
-                .true_heading(None)
-                .filter(|_| !own.magnetic)
-                .map(Heading::deg)
+            let as_read = !own.magnetic && !compass.is_magnetic();
+            as_read.then(|| compass.reading().deg())
         },
         |heard, own, seconds| libm::fabs(wrap_180(heard - own)) > TURNS.0 + TURNS.1 * seconds,
     )

@@ -1,7 +1,9 @@
-//! A setting changed while the autopilot runs: what is then in force, or why it may not be.
+//! Settings changed while the autopilot runs: what is then in force, or why it may not be.
 
 use crate::command::Refusal;
 use crate::settings::{Settings, SpeedSource, Value};
+use alloc::format;
+use alloc::vec::Vec;
 
 /// What a change is judged by.
 #[derive(Clone, Copy, Debug)]
@@ -12,24 +14,56 @@ pub(super) struct While {
     pub(super) autonav: bool,
 }
 
-/// The settings with one changed; the rudders themselves change in STANDBY only (AP-4), and AutoNAV is steered by a measured
-/// speed only (AP-7).
-pub(super) fn changed(
+/// The settings with some changed, all or none. Rudders, the mounting of the gear and the alignment of the compass change in
+/// STANDBY only (AP-4, EMC-7): an order or a heading would else
+/// jump. AutoNAV is steered by a measured speed only (AP-7).
+pub(super) fn changed<'a>(
     settings: &Settings,
-    key: &str,
-    value: &Value,
+    changes: impl IntoIterator<Item = (&'a str, &'a Value)>,
     now: While,
 ) -> Result<Settings, Refusal> {
     let mut changed = settings.clone();
-    changed.set(key, value).map_err(Refusal::because)?;
-    if changed.rudders != settings.rudders && now.steering {
-        let text = "rudders are changed in STANDBY only";
-        return Err(Refusal::because(text));
+    let mut left: Vec<_> = changes.into_iter().collect();
+    // Two that agree with each other may not agree one by one.
+    while !left.is_empty() {
+        let (before, mut refused) = (left.len(), None);
+        left.retain(|(key, value)| match changed.set(key, value) {
+            Ok(()) => false,
+            Err(text) => {
+                refused.get_or_insert(text);
+                true
+            }
+        });
+        if let Some(text) = refused.filter(|_| left.len() == before) {
+            return Err(Refusal::because(text));
+        }
     }
     let source = changed.speed_source;
     if source == SpeedSource::Manual && source != settings.speed_source && now.autonav {
         let text = "no speed is entered by hand in AutoNAV: select another mode first";
         return Err(Refusal::because(text));
     }
-    Ok(changed)
+    let differ = [
+        ("rudders are", changed.rudders != settings.rudders),
+        (
+            "tiller_side is",
+            changed.tiller_side != settings.tiller_side,
+        ),
+        (
+            "tiller_centre is",
+            changed.tiller_centre != settings.tiller_centre,
+        ),
+        (
+            "heading_alignment is",
+            changed.heading_alignment != settings.heading_alignment,
+        ),
+        (
+            "external_compass is",
+            changed.external_compass != settings.external_compass,
+        ),
+    ];
+    match differ.iter().find(|(_, differs)| *differs && now.steering) {
+        Some((what, _)) => Err(Refusal::because(format!("{what} changed in STANDBY only"))),
+        None => Ok(changed),
+    }
 }

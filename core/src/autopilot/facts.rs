@@ -1,6 +1,6 @@
 //! What modes and their transitions know of the ship, of what is heard and of what is set, at one time.
 
-use super::gear::{Gear, Steered};
+use super::gear::{Angles, Gear, Mount, Steered};
 use super::sight::Sight;
 use super::steering::{Measured, Steering, SteeringSettings};
 use crate::geo::Point;
@@ -48,6 +48,8 @@ pub(super) struct Outlook<'a> {
     pub(super) ship: &'a SteeringSettings,
     /// The steering gear.
     pub(super) gear: &'a Gear,
+    /// The dead band of a small craft's law, degrees; absent where another one steers.
+    pub(super) dead_band: Option<f64>,
 }
 
 impl<'a> Outlook<'a> {
@@ -76,16 +78,22 @@ impl<'a> Outlook<'a> {
             sight,
             ship: steering.ship(),
             gear,
+            dead_band: steering.dead_band(),
         }
     }
 
     /// What the laws are told; absent without a heading, or where a rate of turn is enough, without that as well (AP-21).
     pub(super) fn measured(&self, rate_is_enough: bool) -> Option<Measured> {
         let facts = &self.facts;
-        let rudder = self.gear.acting(self.seen.rudders());
+        let rudder = self.gear.acting(self.rudders());
         let measured = (self.sight).measured(self.seen, facts.settings, rudder);
         let by_rate = || self.sight.measured_by_rate(facts.settings, rudder);
         measured.or_else(|| by_rate().filter(|_| rate_is_enough))
+    }
+
+    /// Rudder angles as fed back, of the gear as it is mounted (EMC-7).
+    pub(super) fn rudders(&self) -> Angles {
+        Mount::of(self.facts.settings).rudders(self.seen.rudders())
     }
 
     /// Measured speed, else the set cruise speed (FA10).

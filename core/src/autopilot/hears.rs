@@ -1,10 +1,12 @@
 //! What the autopilot does with a sentence that a port may say, and with one that its policy does not accept (FE11, SEN-2).
 
 use super::Autopilot;
+use super::report;
 use crate::nmea::Sentence;
 use crate::post::{Post, Station};
-use crate::station::{PortIndex, Profile};
+use crate::station::{Output, PortIndex, Profile};
 use crate::time::Stamp;
+use alloc::vec::Vec;
 
 impl Autopilot {
     fn profile(&self, port: PortIndex) -> Option<Profile> {
@@ -34,6 +36,10 @@ impl Station for Autopilot {
             "HSC" => self.decide(now, |modes, outlook, notices| {
                 modes.on_hsc(outlook, port, sentence, notices);
             }),
+            "XDR" | "HRM" => self.sight.hear_heel(now, port, sentence),
+            _ if self.profile(port) == Some(Profile::Hmi) => {
+                self.hear_hand_unit(now, port, sentence);
+            }
             "HTC" if from_chart => self.decide(now, |modes, outlook, notices| {
                 modes.on_htc(outlook, port, sentence, notices);
             }),
@@ -50,10 +56,27 @@ impl Station for Autopilot {
         }
     }
 
+    /// What is owed to hand units: answers, and settings that they changed or keep (EMC-2).
+    fn answer(&mut self, now: Stamp, out: &mut Vec<Output>) {
+        let due = self.hand_unit.take_due();
+        if due.is_empty() {
+            return;
+        }
+        let (modes, outlook) = self.modes_and_outlook(now);
+        let (lines, kept) = report::owed(due, modes, &outlook);
+        for (port, line) in lines {
+            self.post.say(now, port, &line, out);
+        }
+        out.extend(kept);
+    }
+
     fn refused(&mut self, now: Stamp, port: PortIndex, sentence: &Sentence<'_>) {
         match (self.profile(port), sentence.formatter) {
             (Some(Profile::Ecdis | Profile::Plotter), "APB") => {
                 self.decide(now, |modes, outlook, _| modes.on_broken_apb(outlook));
+            }
+            (Some(Profile::Hmi), formatter) if formatter.starts_with("PEMC") => {
+                self.refuse_the_hand_unit(sentence, "checksum missing or wrong");
             }
             (Some(Profile::Ecdis), "HTC") => self.modes.on_broken_htc(now),
             (Some(Profile::Ecdis), _) => self.decide(now, |modes, outlook, _| {

@@ -9,9 +9,11 @@
 //! STANDBY is always granted.
 
 mod alerting;
+mod by_hand;
 mod change;
 mod facts;
 pub mod gear;
+mod hand_unit;
 mod hears;
 mod modes;
 mod notices;
@@ -22,11 +24,12 @@ mod report;
 mod sight;
 mod stand;
 pub mod steering;
+mod times;
 
 use crate::alerts::Alert;
 use crate::command::{Order, Origin, Refusal};
 use crate::post::{self, Post};
-use crate::settings::Settings;
+use crate::settings::{Settings, Value};
 use crate::station::{Input, Output, PortSetup, Profile, Role};
 use crate::talk::{self, SECOND_MS, When};
 use crate::time::Stamp;
@@ -38,7 +41,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use change::{While, changed};
 use facts::Outlook;
-use gear::{Angles, Gear};
+use gear::{Angles, Gear, Mount};
+use hand_unit::HandUnit;
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Autotuning, Dodge, FfuOverride, Finish, Former, Installation, Mode,
     ModeName, NfuOverride, RiverPilot, RudderHold, Standby, Track, WindVane,
@@ -50,9 +54,7 @@ use serde::{Deserialize, Serialize};
 pub use sight::Refused;
 use sight::{Sight, Sighted};
 use steering::{Demand, Steering, SteeringSettings};
-
-/// A control loop that kept its time for so long has recovered (FA16).
-const STALL_OVER_MS: u64 = 10_000;
+use times::{STALL_OVER_MS, Timer};
 
 /// The autopilot.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -62,21 +64,11 @@ pub struct Autopilot {
     modes: Modes,
     steering: Steering,
     gear: Gear,
+    hand_unit: HandUnit,
     alerts: Alerting,
     settings: Settings,
     timers: Timers<Timer>,
     now: Stamp,
-}
-
-/// The station's own times; each part has those of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum Timer {
-    /// When the next control step is due.
-    Step,
-    /// When the next reports are due.
-    Second,
-    /// Since when the control loop keeps its time again (FA16).
-    Stalled,
 }
 
 impl Autopilot {
@@ -95,8 +87,9 @@ impl Autopilot {
             modes: Modes::new(),
             steering: Steering::of(named_ship, &settings),
             gear: Gear::of(settings.rudders),
+            hand_unit: HandUnit::default(),
             settings,
-            timers: Timers::new(&[(Timer::Step, now + 100), (Timer::Second, now + SECOND_MS)]),
+            timers: times::begun(now),
             now,
         }
     }
@@ -162,6 +155,10 @@ impl Autopilot {
                 // HMS: each 30 s, and when what is set has changed (AP-10).
                 if self.sight.hms_is_due(at, talk::HMS_MS) {
                     self.report(at, When::Renewed(talk::HMS_MS), out);
+                }
+                if at.since(self.timers.begin(Timer::HandUnit, at)) >= talk::HAND_UNIT_MS {
+                    self.timers.set(Timer::HandUnit, at);
+                    self.report(at, When::Every(talk::HAND_UNIT_MS), out);
                 }
             }
         }
@@ -230,6 +227,7 @@ impl Autopilot {
             }
         }
         self.recentre(now);
+        (self.hand_unit).look(self.post.seen(now), &self.sight, &self.settings, free);
     }
 
     /// Lays the local plane anew where the ship is, as soon as the mode lets it move.
@@ -275,10 +273,14 @@ impl Autopilot {
         // While orders are given the steering joins one law to the next by itself; else it begins anew.
         if !steered && self.modes.steers() {
             // The gear stands where the hand left it.
-            let left = self.post.seen(now).rudders();
+            let left = self.rudders(now);
             self.engage(now, left.map(|side| side.filter(|_| !ordered)));
         }
         decided
+    }
+
+    fn rudders(&self, now: Stamp) -> Angles {
+        Mount::of(&self.settings).rudders(self.post.seen(now).rudders())
     }
 
     /// Steering and gear begin anew, at the orders where the rudders were left or else at their own.
@@ -317,8 +319,8 @@ impl Autopilot {
         let has_gear =
             (self.post.ports().iter()).any(|port| port.profile == Profile::Gear && port.output);
         let ordered = has_gear && self.modes.gives_orders();
-        let (responses, slew) = (self.post.seen(now).rudders(), self.settings.rudder_slew);
-        for notice in self.gear.watch(now, ordered, responses, slew) {
+        let (left, slew) = (self.rudders(now), self.settings.rudder_slew);
+        for notice in self.gear.watch(now, ordered, left, slew) {
             self.alerts.take(now, notice);
         }
         let (modes, outlook) = self.modes_and_outlook(now);
@@ -372,16 +374,25 @@ impl Autopilot {
             Order::Acknowledge(number) => self.alerts.acknowledge(now, *number),
             Order::Silence(silent) => Ok(self.alerts.silence(now, *silent).into()),
             Order::Setting { key, value } => {
-                let now = While {
-                    steering: self.modes.gives_orders(),
-                    autonav: self.modes.is_or_will_be_commanded(),
-                };
-                self.settings = changed(&self.settings, key, value, now)?;
-                self.steering.change(&self.settings);
-                self.gear.fit(self.settings.rudders);
+                self.change([(key.as_str(), value)])?;
                 Ok(format!("{key} is {value}"))
             }
             _ => Err(Refusal::because("not a command to the autopilot")),
         }
+    }
+
+    /// Other settings are in force from now on.
+    fn change<'a>(
+        &mut self,
+        changes: impl IntoIterator<Item = (&'a str, &'a Value)>,
+    ) -> Result<(), Refusal> {
+        let now = While {
+            steering: self.modes.gives_orders(),
+            autonav: self.modes.is_or_will_be_commanded(),
+        };
+        self.settings = changed(&self.settings, changes, now)?;
+        self.steering.change(&self.settings);
+        self.gear.fit(self.settings.rudders);
+        Ok(())
     }
 }

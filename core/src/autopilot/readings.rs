@@ -1,9 +1,9 @@
 //! What can be read of the autopilot: its mode and why, what it steers, what it has heard.
 
-use super::Timer;
 use super::facts::Outlook;
 use super::gear::Steered;
 use super::sight::Refused;
+use super::times::Timer;
 use super::{Autopilot, Mode, ModeName};
 use crate::alerts::{Alert, Alerts, Standing};
 use crate::command::{ModeRequest, Refusal};

@@ -41,6 +41,17 @@ impl Bearing {
         }
     }
 
+    /// The same of a magnetic compass that is mounted so many degrees to port of the bow (EMC-7).
+    pub(crate) fn aligned(self, by: f64) -> Self {
+        if !self.magnetic || by == 0.0 {
+            return self;
+        }
+        Self {
+            reading: self.reading + SignedAngle::from_deg(by),
+            ..self
+        }
+    }
+
     /// As it is read, not corrected.
     #[must_use]
     pub const fn reading(&self) -> Heading {

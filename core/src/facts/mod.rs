@@ -45,6 +45,8 @@ quantities! {
     Ground "ground" 3_000 5_000;
     /// Heading.
     Heading "heading" 1_200 2_000;
+    /// Heel.
+    Heel "heel" 3_000 5_000;
     /// What the chart system commands and measures: HTC, XTE, PNEY.
     Control "control" 3_000 5_000;
     /// What the autopilot reports: HTD, ROR.

@@ -28,9 +28,11 @@ pub const fn believed(station: Role, profile: Profile) -> &'static [&'static str
         (Role::Autopilot, Profile::Stand) => &["HTD"],
         (Role::Autopilot, Profile::Plotter) => &[
             "APB", "RMB", "XTE", "BWC", "BWR", "BOD", "RMC", "GLL", "VTG", "WPL", "RTE", "HSC",
-            "MWV",
+            "MWV", // EMC-5: of a plotter only where it is set to be the compass
+            "HDM", "XDR", "HRM",
         ],
         (_, Profile::Wind) => &["MWV", "MWD", "VWR", "VWT"],
+        (_, Profile::Imu) => &["HDM", "HDG", "HDT", "ROT", "XDR", "HRM"],
         (Role::Autopilot, Profile::Hmi) => &["PEMC"],
         (_, Profile::Bams) => &["ACN", "HBT"],
         (_, Profile::Gear | Profile::Stand | Profile::Hmi | Profile::Monitor) => &[],
@@ -71,7 +73,7 @@ pub(crate) const fn rank(profile: Profile) -> u8 {
         Profile::Thd => 2,
         Profile::Rot => 3,
         Profile::Gps | Profile::Log | Profile::Gear | Profile::Wind => 4,
-        Profile::Gps2 => 5,
+        Profile::Gps2 | Profile::Imu => 5,
         Profile::Magn => 6,
         Profile::Ecdis => 7,
         Profile::Plotter => 8,

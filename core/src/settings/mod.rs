@@ -9,7 +9,10 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 use value::Slot;
-pub use value::{Differential, Group, Kind, Role, Rudders, SpeedSource, SteeringBy, Value};
+pub use value::{
+    DeadBand, Differential, Group, HeadingLaw, Kind, Role, Rudders, SpeedSource, SteeringBy,
+    TillerSide, Value,
+};
 
 /// One line of the settings table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,12 +88,17 @@ settings! {
     conning_forward_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Conning position, which is what is steered along the track, forward of midships; AP-16.";
     conning_starboard_m: number("m", -400.0 ..= 400.0, 1, 0.0), Engineer, Ship, "Conning position to starboard of the midship line; AP-16.";
     cruise_speed: number("kn", 1.0 ..= 40.0, 1, 12.0), Operator, SetValues, "Speed used for the gains while no speed is measured.";
+    dead_band: choice(DeadBand Automatic), Engineer, Rudder, "Dead band of the PID law: 1 deg, 4 deg, or between them by how much she yaws; EMC-2.";
     differential: choice(Differential Caution), Engineer, Sensors, "A position without differential correction: a caution in track control, or no position for it; AP-7.";
+    external_compass: switch(false), Engineer, Sensors, "External compass: HDM and heel are believed from the plotter, and are not told there; EMC-5.";
     external_tcs: switch(false), Engineer, ChartSystem, "AutoNAV is enabled at installation; AP-6.";
     forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";
     gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
+    heading_alignment: number("deg", -180.0 ..= 180.0, 1, 0.0), Engineer, Sensors, "Added to what a magnetic compass on imu, magn or plotter reads; changed in STANDBY only; EMC-7.";
     heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
+    heading_law: choice(HeadingLaw Ship), Engineer, Rudder, "A heading is steered by the ship's model, or by the PID gains of a small craft; EMC-2.";
     heading_monitor_limit: number("deg", 1.0 ..= 60.0, 1, 10.0), Operator, Sensors, "Two compasses that are farther apart raise HDG DIFF; AP-10.";
+    heel_offset: number("deg", -45.0 ..= 45.0, 1, 0.0), Engineer, Sensors, "Added to the heel that is heard; measured by the calibration of the IMU; EMC-2.";
     hsc: switch(false), Engineer, ChartSystem, "HSC is a source of the heading to steer in Tn, where no HTC is heard; AP-13.";
     leg_tolerance: number("m", 10.0 ..= 1000.0, 0, 30.0), Engineer, ChartSystem, "A leg that moves sideways by more at once is refused.";
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
@@ -98,13 +106,19 @@ settings! {
     minimum_speed: number("kn", 0.0 ..= 20.0, 1, 2.0), Engineer, Ship, "Below it the ship hardly answers her rudder: alarm, and gains of the cruise speed; FA10.";
     off_heading_limit: number("deg", 2.0 ..= 60.0, 0, 20.0), Operator, Rudder, "Off-heading limit; AP-5.";
     off_track_limit: number("m", 20.0 ..= 1000.0, 0, 185.0), Operator, ChartSystem, "Off-track alarm in track control where HTC gives no limit of its own.";
+    pid_kd: number("s", 0.0 ..= 200.0, 3, 2.0), Engineer, Rudder, "PID law: rudder for each degree a second of the rate of turn; EMC-2.";
+    pid_ki: number("1/s", 0.0 ..= 5.0, 3, 0.01), Engineer, Rudder, "PID law: rudder a second for each degree off the heading; EMC-2.";
+    pid_kp: number("", 0.0 ..= 20.0, 3, 1.0), Engineer, Rudder, "PID law: rudder for each degree off the heading, at the cruise speed; EMC-2.";
     pivot_forward_m: given("m", -200.0 ..= 230.0, 1), Engineer, Ship, "Pivot point in a turn forward of midships: on an arc the bow points in by its distance from the conning position; without it the named ship's, else by the length; AP-16.";
     position_jump: number("m", 10.0 ..= 200.0, 0, 30.0), Engineer, Sensors, "A position off the dead reckoning by more is not used; FA9.";
+    rate_offset: number("deg/min", -300.0 ..= 300.0, 1, 0.0), Engineer, Sensors, "Added to the rate of turn of an IMU; measured by its calibration; EMC-2.";
+    rudder_damping: number("deg", 0.0 ..= 15.0, 1, 1.0), Engineer, Rudder, "PID law: the order rests while the wanted rudder is off it by no more; EMC-7.";
     rudder_forward_m: given("m", -230.0 ..= -1.0, 1), Engineer, Ship, "Rudder stock forward of midships, so less than nothing: the cautious gain goes by its lever; of no effect once gain_per_s and time_constant_s are given; AP-16.";
     rudder_limit: number("deg", 2.0 ..= 35.0, 0, 20.0), Operator, Rudder, "Rudder limit of AUTO; not used in AutoNAV (AP-8).";
     rudder_max: number("deg", 10.0 ..= 45.0, 0, 35.0), Engineer, Rudder, "Maximum rudder angle of the gear.";
     rudder_slew: number("deg/s", 0.5 ..= 20.0, 1, 2.3), Engineer, Rudder, "Fastest change of the rudder order; AP-15.";
     rudders: choice(Rudders Single), Engineer, Ship, "One rudder, two that are linked, or an independent pair with an order and a feedback each; AP-4.";
+    sample_time: number("ms", 100.0 ..= 5000.0, 0, 200.0), Engineer, Rudder, "PID law: time between two samples, in whole control steps; EMC-7.";
     set_radius: number("nm", 0.05 ..= 10.0, 2, 0.5), Operator, SetValues, "Radius of AUTO's turns; not used in AutoNAV.";
     set_rate: number("deg/min", 1.0 ..= 300.0, 0, 28.0), Operator, SetValues, "Rate of turn of AUTO's turns; not used in AutoNAV.";
     speed_kn: given("kn", 1.0 ..= 40.0, 1), Engineer, Ship, "Speed at which gain and time constant hold; AP-20.";
@@ -115,6 +129,8 @@ settings! {
     steady_turn_5: given("rad", -5000.0 ..= 5000.0, 2), Engineer, Ship, "Steady turn: factor of r' to the fifth; AP-20.";
     steering_by: choice(SteeringBy Radius), Operator, SetValues, "AUTO turns by the set radius or by the set rate of turn; AP-1.";
     step_hz: number("Hz", 5.0 ..= 20.0, 0, 10.0), Engineer, Rudder, "Control steps a second; AP-15.";
+    tiller_centre: number("deg", -40.0 ..= 40.0, 1, 0.0), Engineer, Rudder, "Position of the gear with the rudder amidships; changed in STANDBY only; EMC-7.";
+    tiller_side: choice(TillerSide Starboard), Engineer, Rudder, "Side of the tiller motor; to port its positions are the other way round; changed in STANDBY only; EMC-7.";
     time_constant_s: given("s", 1.0 ..= 1000.0, 1), Engineer, Ship, "Nomoto time constant T at speed_kn; AP-20.";
     track_caution: number("s", 1.0 ..= 10.0, 1, 3.0), Engineer, ChartSystem, "Age of the chart system's sentences at which a caution is raised; TCS-8.";
     track_fail: number("s", 2.0 ..= 30.0, 1, 5.0), Engineer, ChartSystem, "Age at which TRACK FAIL is raised; TCS-8.";
@@ -177,6 +193,14 @@ impl Settings {
             return Err(format!(
                 "rudder_limit ({} deg) must not be above rudder_max ({} deg)",
                 self.rudder_limit, self.rudder_max
+            ));
+        }
+        // EMC-7
+        let step = self.step_ms();
+        if self.heading_law == HeadingLaw::Pid && !(self.sample_time as u64).is_multiple_of(step) {
+            return Err(format!(
+                "sample_time ({} ms) must be whole control steps of {step} ms",
+                self.sample_time
             ));
         }
         Ok(())

@@ -124,6 +124,29 @@ macro_rules! choices {
 }
 
 choices! {
+    /// How much a small craft may be off her heading before the PID law answers (EMC-2).
+    DeadBand {
+        /// The least.
+        Minimum = "minimum",
+        /// The greatest.
+        Maximum = "maximum",
+        /// Between them, by how much she yaws.
+        Automatic = "automatic",
+    }
+    /// Which law steers a heading (EMC-2).
+    HeadingLaw {
+        /// By the model of the ship.
+        Ship = "ship",
+        /// By three gains, as a small craft's.
+        Pid = "pid",
+    }
+    /// Where the motor of the tiller stands (EMC-7).
+    TillerSide {
+        /// To starboard: its positions are as the rudder's.
+        Starboard = "starboard",
+        /// To port: they are the other way round.
+        Port = "port",
+    }
     /// How AUTO turns (AP-1).
     SteeringBy {
         /// By the set radius.
@@ -196,6 +219,8 @@ impl Slot for Option<f64> {
     fn put(&mut self, kind: &Kind, value: &Value) -> Result<(), String> {
         *self = match value {
             Value::Absent => None,
+            // As it is kept: TOML has no null.
+            Value::Choice(text) if text.is_empty() => None,
             _ => Some(number(kind, value)?),
         };
         Ok(())

@@ -65,6 +65,7 @@ fn when(row: &Row) -> String {
         When::Step => String::from("each control step"),
         When::Change => String::from("on each change, together at most 27 % of the line"),
         When::Asked => String::from("when an officer acknowledges"),
+        When::Requested => String::from("when the hand unit asks for it, or sets what it says"),
         When::Operated => String::from("when an officer operates it, where `eve` is set"),
     }
 }

@@ -29,7 +29,7 @@ pub fn load(station: Role, profile: Profile, step_hz: f64, baud: u32) -> Load {
             When::Step => longest * step_hz,
             // Together: it stands at the first of them.
             When::Change => core::mem::take(&mut share),
-            When::Asked | When::Operated => longest / ASKED_S,
+            When::Asked | When::Requested | When::Operated => longest / ASKED_S,
         };
         (row, rate)
     };
@@ -68,7 +68,12 @@ impl fmt::Display for Load {
             match row.when {
                 When::Change if *bytes > 0.0 => write!(f, "{plus}{} {bytes}", row.formatter())?,
                 When::Change => write!(f, "{plus}{} within it", row.formatter())?,
-                When::Every(_) | When::Renewed(_) | When::Step | When::Asked | When::Operated => {
+                When::Every(_)
+                | When::Renewed(_)
+                | When::Step
+                | When::Asked
+                | When::Requested
+                | When::Operated => {
                     let times = libm::round(bytes / longest as f64 * 100.0) / 100.0;
                     write!(f, "{plus}{} {longest} x {times}", row.formatter())?;
                 }

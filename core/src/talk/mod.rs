@@ -14,4 +14,4 @@ pub use document::document;
 pub use load::{Load, load};
 pub(crate) use share::Share;
 pub use slot::{Slot, slot};
-pub use table::{HMS_MS, Row, SECOND_MS, Saying, TABLE, Told, When, told};
+pub use table::{HAND_UNIT_MS, HMS_MS, Row, SECOND_MS, Saying, TABLE, Told, When, told};

@@ -37,8 +37,12 @@ pub fn slot(line: &[u8]) -> Slot<'_> {
     Slot {
         formatter,
         of: [name(0), name(1)],
-        event: row
-            .is_some_and(|row| matches!(row.when, When::Change | When::Asked | When::Operated)),
+        event: row.is_some_and(|row| {
+            matches!(
+                row.when,
+                When::Change | When::Asked | When::Requested | When::Operated
+            )
+        }),
     }
 }
 

@@ -6,6 +6,9 @@ use crate::station::{Profile, Role};
 /// The period of what is said once a second, milliseconds.
 pub const SECOND_MS: u64 = 1_000;
 
+/// The period of what a hand unit is told by itself (EMC-2, EMC-4), milliseconds.
+pub const HAND_UNIT_MS: u64 = 5_000;
+
 /// The period of HMS (AP-10), milliseconds.
 pub const HMS_MS: u64 = 30_000;
 
@@ -22,6 +25,8 @@ pub enum When {
     Change,
     /// When an officer acknowledges, or a list names what is not known.
     Asked,
+    /// When a hand unit asks for it (EMC-2).
+    Requested,
     /// When an officer operates the station, where that is asked for (TCS-13).
     Operated,
 }
@@ -44,7 +49,7 @@ macro_rules! sayings {
 }
 
 sayings! {
-    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdg hdg, Hdm hdm, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Mwv mwv, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg,
+    Ack ack, Acn acn, Ala ala, Alc alc, Alf alf, Alr alr, Arc arc, Eve eve, Gll gll, Hbt hbt, Hdg hdg, Hdm hdm, Hdt hdt, Hmr hmr, Hms hms, Htc htc, Htd htd, Mwv mwv, Pemc03 pemc03, Pemc05 pemc05, Pemc07 pemc07, Pney1 pney1, Pney2 pney2, Ror ror, Rot rot, Rsa rsa, Vhw vhw, Vtg vtg, Xdr xdr,
     Xte xte,
 }
 
@@ -73,7 +78,12 @@ impl Row {
     pub const fn period_ms(&self) -> Option<u64> {
         match self.when {
             When::Every(period) => Some(period),
-            When::Renewed(_) | When::Step | When::Change | When::Asked | When::Operated => None,
+            When::Renewed(_)
+            | When::Step
+            | When::Change
+            | When::Asked
+            | When::Requested
+            | When::Operated => None,
         }
     }
 }
@@ -180,6 +190,16 @@ pub static TABLE: &[Told] = &[
             of_its_source(Saying::Hdm),
             HDT,
             RSA,
+            row(Saying::Xdr, "AG", SECOND),
+        ],
+    },
+    Told {
+        station: Role::Autopilot,
+        profiles: &[Profile::Hmi],
+        rows: &[
+            row(Saying::Pemc07, "P", When::Every(HAND_UNIT_MS)),
+            row(Saying::Pemc03, "P", When::Requested),
+            row(Saying::Pemc05, "P", When::Requested),
         ],
     },
     Told {

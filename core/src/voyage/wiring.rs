@@ -159,6 +159,10 @@ impl Voyage {
                     out.push(VoyageOutput::Persist { key, value });
                     out.push(VoyageOutput::Settings);
                 }
+                Output::Settings => {
+                    self.settings_revision += 1;
+                    out.push(VoyageOutput::Settings);
+                }
                 Output::Contact { contact, closed } => out.push(VoyageOutput::Contact {
                     station: from,
                     contact,

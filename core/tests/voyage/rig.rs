@@ -215,14 +215,19 @@ impl Rig {
     fn event(&mut self, event: Event) -> Vec<VoyageOutput> {
         let mut out = Vec::new();
         self.voyage.handle(self.now, event, &mut out);
-        for output in &out {
+        self.note(&out);
+        out
+    }
+
+    /// Notes what left by ports to the outside.
+    fn note(&mut self, out: &[VoyageOutput]) {
+        for output in out {
             if let VoyageOutput::Send { bytes, .. } = output {
                 let text = String::from_utf8_lossy(bytes);
                 let lines = text.lines().map(|line| (self.now, line.to_string()));
                 self.sent.extend(lines);
             }
         }
-        out
     }
 
     /// Says a line to the autopilot now; the checksum is added.
@@ -241,7 +246,9 @@ impl Rig {
     pub(crate) fn say_raw(&mut self, profile: Profile, line: &str) {
         let bytes = format!("{line}\r\n").into_bytes();
         let hearer = (Role::Autopilot, profile);
-        self.voyage.say(self.now, hearer, &bytes, &mut Vec::new());
+        let mut out = Vec::new();
+        self.voyage.say(self.now, hearer, &bytes, &mut out);
+        self.note(&out);
     }
 
     pub(crate) fn run(&mut self, seconds: f64) {

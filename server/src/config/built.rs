@@ -13,7 +13,7 @@ use wheelover_core::voyage::Role;
 const KEYS: [&str; 3] = ["commissioning", "gear", "skipped_by"];
 
 /// Profiles of ports.
-const PROFILES: [&str; 3] = ["hmi", "imu", "targets"];
+const PROFILES: [&str; 1] = ["targets"];
 
 /// Keys of `[ship]` that only some stations use.
 const SHIP: [(&str, &[Role]); 18] = [

@@ -74,6 +74,16 @@ pub(super) fn port(
     }
     let checksum = match form.checksum {
         None => ChecksumPolicy::Required,
+        // EMC-4
+        Some(policy)
+            if profile == Profile::Hmi && *policy.get_ref() != ChecksumPolicy::Required =>
+        {
+            let text = format!(
+                "checksum = \"{}\" on port \"{name}\" of the profile \"hmi\"; allowed is \"required\"",
+                policy_name(*policy.get_ref())
+            );
+            return Err((policy.span(), text));
+        }
         Some(policy) if commands(profile) && *policy.get_ref() == ChecksumPolicy::Optional => {
             let text = format!(
                 "checksum = \"{}\" on port \"{name}\", which may command; allowed are \"required\", \"learned\" (SEN-2)",

@@ -2,6 +2,7 @@
 
 mod contacts;
 mod rudders;
+mod small_craft;
 
 use super::in_force;
 use super::read::from_text;
@@ -237,10 +238,8 @@ fn a_port_says_whether_a_null_status_commands() {
 fn what_is_not_built_yet_is_refused_by_its_name() {
     let not_built =
         |text: &str, line: usize, name: &str| check(text, line, &[name, "is not built yet"]);
-    for name in ["hmi", "imu", "targets"] {
-        let port = PORT.replace("profile = \"ecdis\"", &format!("profile = \"{name}\""));
-        not_built(&format!("roles = [\"autopilot\"]\n{port}"), 6, name);
-    }
+    let port = PORT.replace("profile = \"ecdis\"", "profile = \"targets\"");
+    not_built(&format!("roles = [\"autopilot\"]\n{port}"), 6, "targets");
     check(
         &PORT.replace("profile = \"ecdis\"", "profile = \"radar\""),
         5,

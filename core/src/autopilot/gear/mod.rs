@@ -12,6 +12,7 @@
 //!
 //! **Invariant:** of each side `|order| <= limit` and `|order - last order| <= slew dt`, whatever is wanted (FA6).
 
+mod mount;
 mod pair;
 mod response;
 mod rudder;
@@ -24,6 +25,7 @@ use crate::nmea::{CommandSource, DataStatus, Ror, Rsa};
 use crate::settings::Rudders;
 use crate::time::Stamp;
 use crate::units::{Distance, Heading, RateOfTurn, RudderAngle};
+pub(super) use mount::Mount;
 use serde::{Deserialize, Serialize};
 use side::Side;
 

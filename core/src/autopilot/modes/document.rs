@@ -169,6 +169,13 @@ fn events() -> Vec<(&'static str, Event)> {
             Event::FfuOverride(RudderAngle::from_deg(0.0)),
         ),
         (
+            "tiller moved by the hand unit",
+            Event::Jog {
+                rudder: RudderAngle::from_deg(1.0),
+                until: Stamp(0),
+            },
+        ),
+        (
             "over, or DODGE released",
             Event::AutoOn(Heading::from_deg(30.0))
         ),
@@ -239,6 +246,7 @@ fn described(mode: &Mode, facts: &Facts<'_>) -> String {
         Mode::Auto(auto) if auto.set == facts.heading => " on the actual heading",
         Mode::Auto(auto) if auto.stop_cause_until.is_some() => " on the last heading to steer",
         Mode::Auto(_) => " on the set heading",
+        Mode::FfuOverride(ffu) if ffu.until.is_some() => ", then STANDBY again",
         _ => "",
     };
     format!("{}{how}", mode.title())

@@ -3,6 +3,7 @@
 use super::former::Former;
 use super::track::Track;
 use crate::path::Path;
+use crate::time::Stamp;
 use crate::units::{Course, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle};
 use serde::{Deserialize, Serialize};
 
@@ -60,6 +61,13 @@ pub(in super::super) enum Event {
     RiverPilot,
     /// The operator selects FFU OVERRIDE, where the rudder stands so.
     FfuOverride(RudderAngle),
+    /// A hand unit moves the tiller from STANDBY (EMC-7).
+    Jog {
+        /// To this rudder.
+        rudder: RudderAngle,
+        /// For so long.
+        until: Stamp,
+    },
     /// WIND VANE is selected, or DODGE goes back to it.
     WindVane {
         /// Angle to hold.

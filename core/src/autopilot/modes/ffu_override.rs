@@ -9,6 +9,7 @@ use crate::autopilot::steering::Demand;
 use crate::command::Refusal;
 use crate::nmea::SteeringMode;
 use crate::settings::Role;
+use crate::time::Stamp;
 use crate::units::RudderAngle;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -19,6 +20,18 @@ use serde::{Deserialize, Serialize};
 pub struct FfuOverride {
     /// As it was ordered; where the mode was selected, as the rudder stood then.
     pub rudder: RudderAngle,
+    /// A hand unit moves the tiller from STANDBY: until when, and STANDBY again (EMC-7).
+    pub until: Option<Stamp>,
+}
+
+impl FfuOverride {
+    /// This rudder, until the operator leaves the mode.
+    pub(super) const fn on(rudder: RudderAngle) -> Self {
+        Self {
+            rudder,
+            until: None,
+        }
+    }
 }
 
 impl Listed for FfuOverride {
@@ -38,7 +51,7 @@ impl Listed for FfuOverride {
 
     fn examples() -> Vec<(&'static str, Self)> {
         let rudder = RudderAngle::from_deg(5.0);
-        alloc::vec![("FFU OVERRIDE", Self { rudder })]
+        alloc::vec![("FFU OVERRIDE", Self::on(rudder))]
     }
 }
 
@@ -51,7 +64,7 @@ impl State for FfuOverride {
         let SetValue::Rudder(degrees) = set else {
             return Err(set.refused());
         };
-        self.rudder = RudderAngle::from_deg(degrees);
+        *self = Self::on(RudderAngle::from_deg(degrees));
         Ok(set.done())
     }
 

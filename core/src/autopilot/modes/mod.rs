@@ -19,6 +19,7 @@ mod ffu_override;
 mod follow;
 mod former;
 mod installation;
+mod jog;
 mod met;
 mod mode;
 mod need;

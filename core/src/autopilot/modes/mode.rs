@@ -117,7 +117,13 @@ impl Mode {
                 Event::EngageTi { path, radius },
             ) => Self::AutonavTi(AutonavTi::on(facts.now, *path, Some(*radius))),
             (_, Event::RiverPilot) => Self::RiverPilot(RiverPilot::default()),
-            (_, Event::FfuOverride(rudder)) => Self::FfuOverride(FfuOverride { rudder: *rudder }),
+            (_, Event::FfuOverride(rudder)) => Self::FfuOverride(FfuOverride::on(*rudder)),
+            (Self::Standby(_) | Self::FfuOverride(_), Event::Jog { rudder, until }) => {
+                Self::FfuOverride(FfuOverride {
+                    rudder: *rudder,
+                    until: Some(*until),
+                })
+            }
             (
                 _,
                 Event::WindVane {
@@ -153,7 +159,7 @@ impl Mode {
             (mode, Event::SetHeading(_) | Event::TrackFail(_) | Event::EngageTrack(_)) => mode,
             (mode, Event::EngageTn { .. } | Event::EngageTi { .. }) => mode,
             // The operator's modes are entered and left from where the table says.
-            (mode, Event::Dodge { .. } | Event::AutoOn(_)) => mode,
+            (mode, Event::Dodge { .. } | Event::AutoOn(_) | Event::Jog { .. }) => mode,
             (mode, Event::Installation | Event::Autotuning) => mode,
         }
     }

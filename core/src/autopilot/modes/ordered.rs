@@ -62,8 +62,8 @@ impl Modes {
     }
 
     /// The order in force, or where none is given the rudder as the hand left it, within the gear's maximum.
-    fn present_rudder(&self, outlook: &Outlook<'_>) -> RudderAngle {
-        let left = outlook.gear.left(outlook.seen.rudders());
+    pub(super) fn present_rudder(&self, outlook: &Outlook<'_>) -> RudderAngle {
+        let left = outlook.gear.left(outlook.rudders());
         let left = left.filter(|_| !self.gives_orders());
         let most = outlook.facts.settings.rudder_max;
         let present = left.unwrap_or(outlook.facts.order).deg();

@@ -66,6 +66,7 @@ impl Modes {
     /// Once a step: the pending selection, the ages of what is followed, the path.
     pub(in super::super) fn supervise(&mut self, outlook: &Outlook<'_>, notices: &mut Notices) {
         self.watch_the_stand(outlook, notices);
+        self.end_the_jog(outlook);
         self.watch_mode(outlook, notices);
         self.try_engage(outlook, notices);
         self.name_stop(outlook, notices);

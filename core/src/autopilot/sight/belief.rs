@@ -3,12 +3,16 @@
 use super::Sight;
 use super::compass::Doubt;
 use super::monitor::HeadingMonitor;
+use super::mounted;
 use super::source::Refused;
 use super::speed::Measure;
 use crate::facts::Quantity;
 use crate::geo::Position;
+use crate::nmea::Sentence;
 use crate::picture::{Bearing, Source};
 use crate::post::Seen;
+use crate::settings::Settings;
+use crate::station::PortIndex;
 use crate::time::Stamp;
 use alloc::vec::Vec;
 
@@ -27,11 +31,38 @@ impl Sight {
     pub(in super::super) fn magnetic_compass<'a>(
         &'a self,
         seen: Seen<'_>,
+        settings: &Settings,
     ) -> Option<(&'a Source, Bearing)> {
         let source = self.compass().filter(|_| self.heading().is_some())?;
         let heard = (seen.picture.headings.iter()).find(|heard| heard.source == *source);
         let said = seen.fresh(heard, Quantity::Heading)?;
+        let said = mounted::bearing(seen.picture, settings, source, said)?;
         said.is_magnetic().then_some((source, said))
+    }
+
+    /// The heel, degrees, starboard positive; absent where none is heard that is used.
+    pub(in super::super) fn heel(&self, seen: Seen<'_>, settings: &Settings) -> Option<f64> {
+        Some(self.heels.as_heard(seen, settings)? + settings.heel_offset)
+    }
+
+    /// Hears a sentence that may say a heel.
+    pub(in super::super) fn hear_heel(
+        &mut self,
+        now: Stamp,
+        port: PortIndex,
+        sentence: &Sentence<'_>,
+    ) {
+        self.heels.hear(now, port, sentence);
+    }
+
+    /// Heel, degrees, and rate of turn of an IMU, degrees a minute, as they are heard: without what is set for them.
+    pub(in super::super) fn as_heard(
+        &self,
+        seen: Seen<'_>,
+        settings: &Settings,
+    ) -> (Option<f64>, Option<f64>) {
+        let heel = self.heels.as_heard(seen, settings);
+        (heel, mounted::rate_as_heard(seen))
     }
 
     /// What the heading monitor has to say (AP-10).

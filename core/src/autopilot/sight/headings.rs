@@ -2,6 +2,7 @@
 
 use super::compass::{Compasses, Doubt, Reading, Turning};
 use super::monitor::HeadingMonitor;
+use super::mounted;
 use super::north::North;
 use super::rate::RateGuard;
 use super::sighted::Sighted;
@@ -49,7 +50,7 @@ impl Headings {
         sighted: &mut Vec<Sighted>,
     ) {
         let (now, picture) = (seen.now, seen.picture);
-        let rate = seen.fresh(picture.rate(now), Quantity::RateOfTurn);
+        let rate = mounted::rate(seen, settings);
         let ground = seen.ground();
         let believed = !self.rates.doubted();
         let turning = Turning {
@@ -63,7 +64,11 @@ impl Headings {
         let said: Vec<_> = picture
             .headings
             .iter()
-            .filter_map(|heard| Some((heard, seen.fresh(Some(heard), Quantity::Heading)?)))
+            .filter_map(|heard| {
+                let said = seen.fresh(Some(heard), Quantity::Heading)?;
+                let said = mounted::bearing(picture, settings, &heard.source, said)?;
+                Some((heard, said))
+            })
             .collect();
         let variation = variation(picture, now, settings);
         let all = said.iter().map(|(_, said)| said);
@@ -97,9 +102,8 @@ impl Headings {
             sighted.push(Sighted::OtherCompass(after - before));
         }
         sighted.extend(self.what_compasses_do(seen).map(Sighted::Notice));
-        let limit = settings.heading_monitor_limit;
         self.monitor
-            .look(seen, self.compasses.in_use(), variation, limit);
+            .look(seen, self.compasses.in_use(), variation, settings);
         let apart = Notice::of(Alert::HeadingDifference, self.monitor.warning());
         sighted.push(Sighted::Notice(apart));
         let heard = !readings.is_empty();
@@ -185,7 +189,9 @@ impl Headings {
         settings: &Settings,
     ) -> Option<Heading> {
         let variation = variation(picture, now, settings);
-        self.north.of(&picture.heading(now)?.value, variation)
+        let heard = picture.heading(now)?;
+        let said = mounted::bearing(picture, settings, &heard.source, heard.value)?;
+        self.north.of(&said, variation)
     }
 }
 

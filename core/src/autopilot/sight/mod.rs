@@ -9,6 +9,7 @@ mod correction;
 mod guard;
 mod headings;
 mod monitor;
+mod mounted;
 mod north;
 mod over_ground;
 mod position;
@@ -35,6 +36,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use correction::Correction;
 use headings::Headings;
+use mounted::Heels;
 use north::North;
 use over_ground::OverGround;
 use position::{PositionGuard, Said};
@@ -55,6 +57,7 @@ pub(super) struct Sight {
     correction: Correction,
     speeds: SpeedGuard,
     winds: Winds,
+    heels: Heels,
 }
 
 impl Sight {

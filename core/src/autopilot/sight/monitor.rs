@@ -1,9 +1,11 @@
 //! The heading monitor: two compasses compared all the time, whatever steers (AP-10, N tables A.5 and A.6).
 
+use super::mounted;
 use crate::limits::Quantity;
 use crate::nmea::{DataStatus, Hmr, Hms, LimitStatus, Reference};
 use crate::picture::{Bearing, Source};
 use crate::post::Seen;
+use crate::settings::Settings;
 use crate::station::{PortIndex, Profile};
 use crate::time::Stamp;
 use crate::units::Heading;
@@ -45,15 +47,16 @@ pub(crate) struct HeadingMonitor {
 }
 
 impl HeadingMonitor {
-    /// Looks at the compasses in their order of preference, the one in use first; a difference beyond `limit` degrees warns.
+    /// Looks at the compasses in their order of preference, the one in use first; a difference beyond the limit that is set warns.
     pub(crate) fn look(
         &mut self,
         seen: Seen<'_>,
         in_use: Option<&Source>,
         variation: Option<f64>,
-        limit: f64,
+        settings: &Settings,
     ) {
         let (now, picture) = (seen.now, seen.picture);
+        let limit = settings.heading_monitor_limit;
         let mut heard: Vec<_> = picture.headings.iter().collect();
         heard.sort_by_key(|heard| (in_use != Some(&heard.source), picture.rank(&heard.source)));
         self.sensors.clear();
@@ -62,11 +65,15 @@ impl HeadingMonitor {
             if self.sensors.len() == 2 || self.sensors.iter().any(|known| known.port == port) {
                 continue;
             }
+            let mounted = |said| mounted::bearing(picture, settings, &heard.source, said);
+            if mounted(heard.value).is_none() {
+                continue;
+            }
             self.sensors.push(Sensor {
                 port,
                 profile: picture.ports[port].profile,
                 magnetic: heard.value.is_magnetic(),
-                said: seen.fresh(Some(heard), Quantity::Heading),
+                said: (seen.fresh(Some(heard), Quantity::Heading)).and_then(mounted),
             });
         }
         (self.variation, self.limit) = (variation, limit);

@@ -4,6 +4,7 @@
 //! Demand::Track -> track.rs --+                       observer.rs: heading and rate without the waves
 //! Demand::Rate --> rate.rs ---+-> heading.rs -> the rudder that is wanted
 //! Demand::Heading ------------+                       reckoning.rs: position and current
+//!   of a small craft ---> pid.rs ------------> the rudder that is wanted
 //! Demand::Rudder -----------------------------> the rudder that is wanted
 //! ```
 //! In: heading, rate, rudder, speeds, position, and what the gear gave last. Out: the wanted rudder with its terms, which
@@ -14,6 +15,7 @@ mod heading;
 mod intercept;
 mod measured;
 mod observer;
+mod pid;
 mod rate;
 mod reckoning;
 mod settings;
@@ -27,7 +29,7 @@ pub use ship::has_own_constants;
 
 use crate::path::Path;
 use crate::settings::Settings;
-use crate::units::{Distance, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle};
+use crate::units::{Distance, Heading, Radius, RateOfTurn, RudderAngle, SignedAngle, Speed};
 use angle::wrap;
 use serde::{Deserialize, Serialize};
 
@@ -107,6 +109,8 @@ pub struct Given {
 #[serde(rename_all = "snake_case")]
 enum Law {
     Heading,
+    /// A heading, by the gains of a small craft.
+    Pid,
     Track,
     Rate,
     Rudder,
@@ -127,6 +131,11 @@ pub struct Steering {
     ground: reckoning::Reckoning,
     reference: heading::ReferenceModel,
     regulator: heading::Regulator,
+    /// The gains of a small craft; absent where the ship's model steers a heading.
+    gains: Option<pid::Gains>,
+    pid: pid::Pid,
+    /// Other gains than in the last step.
+    other_gains: bool,
     guidance: track::Guidance,
     law: Option<Law>,
 }
@@ -142,6 +151,9 @@ impl Steering {
             ground: reckoning::Reckoning::default(),
             reference: heading::ReferenceModel::default(),
             regulator: heading::Regulator::default(),
+            gains: None,
+            pid: pid::Pid::default(),
+            other_gains: false,
             guidance: track::Guidance::default(),
             law: None,
         }
@@ -153,6 +165,7 @@ impl Steering {
         let ship = SteeringSettings::of(named_ship.as_ref(), settings);
         Self {
             named_ship,
+            gains: pid::Gains::of(settings),
             ..Self::new(ship)
         }
     }
@@ -163,9 +176,18 @@ impl Steering {
         &self.settings
     }
 
-    /// Other settings from the next step on.
+    /// Other settings from the next step on; other gains are joined without a bump (FA6).
     pub fn change(&mut self, settings: &Settings) {
         self.settings = SteeringSettings::of(self.named_ship.as_ref(), settings);
+        let gains = pid::Gains::of(settings);
+        self.other_gains |= gains != self.gains;
+        self.gains = gains;
+    }
+
+    /// The dead band of a small craft in force, degrees; absent where the ship's model steers.
+    #[must_use]
+    pub fn dead_band(&self) -> Option<f64> {
+        self.gains.as_ref().map(|gains| self.pid.dead_band(gains))
     }
 
     /// Takes over from hand steering or another mode. Estimates of heading, position and current begin anew, since they
@@ -226,8 +248,12 @@ impl Steering {
                 cross_track = Some(Distance::from_m(steer.cross_track));
             }
             (Demand::Heading { set, by }, _) => {
-                joins = self.change_law(Law::Heading);
-                if joins {
+                let other = !matches!(self.law, Some(Law::Heading | Law::Pid));
+                joins = self.change_law(match self.gains {
+                    Some(_) => Law::Pid,
+                    None => Law::Heading,
+                });
+                if joins && other {
                     self.reference = heading::ReferenceModel::of(&motion);
                 }
                 let over_ground = m.ground.map_or(surge, |(_, speed)| speed.mps());
@@ -260,6 +286,18 @@ impl Steering {
             }
             (Demand::Track(_), None) => self.reference.acceleration = 0.0,
         }
+        if let (Some(Law::Pid), Some(gains)) = (self.law, &self.gains) {
+            let (speed, cut) = (Speed::from_mps(surge), given.cut);
+            let said = (m.heading, m.rate);
+            if core::mem::take(&mut self.other_gains) {
+                self.pid.begin(); // it samples at once
+                joins = true;
+            }
+            let pid = self
+                .pid
+                .step(gains, said, &self.reference, (speed, cut), dt);
+            return self.by_gains(pid, joins);
+        }
         let terms = self.regulator.step(
             (motion.heading, motion.rate),
             &self.reference,
@@ -280,6 +318,21 @@ impl Steering {
                 rate: terms.rate.to_degrees(),
                 feedforward: terms.feedforward.to_degrees(),
             },
+        }
+    }
+
+    /// The rudder that a small craft's gains want, in degrees.
+    fn by_gains(&self, (rudder, moved): (f64, pid::Moved), joins: bool) -> Wanted {
+        Wanted {
+            joins,
+            ordered: false,
+            terms: Terms {
+                proportional: moved.proportional,
+                integral: moved.integral,
+                rate: moved.rate,
+                feedforward: 0.0,
+            },
+            ..self.ordered(RudderAngle::from_deg(rudder))
         }
     }
 
@@ -314,8 +367,10 @@ impl Steering {
         let changed = self.law != Some(law);
         if changed {
             self.law = Some(law);
-            if law == Law::Track {
-                self.guidance = track::Guidance::default();
+            match law {
+                Law::Track => self.guidance = track::Guidance::default(),
+                Law::Pid => self.pid.begin(),
+                Law::Heading | Law::Rate | Law::Rudder => {}
             }
         }
         changed

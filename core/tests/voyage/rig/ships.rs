@@ -14,7 +14,7 @@ fn port(name: &str, profile: Profile) -> (Role, PortSetup) {
         checksum: ChecksumPolicy::Required,
         talkers: Vec::new(),
         baud: 4800,
-        output: matches!(profile, Profile::Plotter | Profile::Stand),
+        output: matches!(profile, Profile::Hmi | Profile::Plotter | Profile::Stand),
     };
     (Role::Autopilot, setup)
 }
