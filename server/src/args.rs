@@ -79,11 +79,28 @@ pub(crate) enum Command {
         #[arg(short, long)]
         quiet: bool,
     },
-    /// List the serial ports of this machine
-    Ports,
+    /// List the serial ports of this machine, or listen to them and say what is wrong
+    Ports(Ports),
     /// Look at a configuration
     #[command(subcommand)]
     Config(ConfigCommand),
+}
+
+/// Options of `ports`.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct Ports {
+    /// Ports to listen to [default: those of the configuration, or all]
+    #[arg(requires = "scan")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Listen for up to 10 s at the usual rates, send nothing, and say what to change
+    #[arg(long)]
+    pub(crate) scan: bool,
+    /// Take the ports and their rates from a configuration
+    #[arg(long, value_name = "FILE", requires = "scan")]
+    pub(crate) config: Option<PathBuf>,
+    /// One JSON object a port
+    #[arg(long, requires = "scan")]
+    pub(crate) json: bool,
 }
 
 /// What can be done with a configuration.

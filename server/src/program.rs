@@ -2,12 +2,12 @@
 //!
 //! It stands in the library so that all of it is compiled beside the page, which only `main.rs` waits for.
 
-use crate::args::{self, Cli, Command, ConfigCommand};
+use crate::args::{self, Cli, Command, ConfigCommand, Ports};
 use crate::error::Error;
 use crate::log::{self, Log};
 use crate::serve::{Options, Running, serve};
 use crate::{check, config, decode, page, persist, ports, recorder, simulate};
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, IsTerminal, Write, stderr};
 use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
 use std::process::ExitCode;
@@ -48,16 +48,14 @@ fn obey(cli: Cli, page: page::Bundle) -> Result<i32, Error> {
         }) => simulate::simulate(&scenario, only.as_deref(), csv.as_deref(), json, quiet)
             .map_err(Error::Other),
         Some(Command::Replay { file, quiet }) => recorder::replay(&file, quiet),
-        Some(Command::Ports) => {
+        Some(Command::Ports(options)) if options.scan => scan(&options),
+        Some(Command::Ports(_)) => {
             for port in ports::list::list() {
                 if port.path == port.device {
                     say(&port.path.display().to_string());
                 } else {
-                    say(&format!(
-                        "{} -> {}",
-                        port.path.display(),
-                        port.device.display()
-                    ));
+                    let (path, device) = (port.path.display(), port.device.display());
+                    say(&format!("{path} -> {device}"));
                 }
             }
             Ok(0)
@@ -67,6 +65,27 @@ fn obey(cli: Cli, page: page::Bundle) -> Result<i32, Error> {
             Ok(0)
         }
     }
+}
+
+/// `ports --scan`: 0 where there is nothing to change, 1 with findings.
+fn scan(options: &Ports) -> Result<i32, Error> {
+    let config = options.config.as_deref().map(config::read).transpose()?;
+    let asked = ports::scan::asked(&options.paths, config.as_ref());
+    if asked.is_empty() {
+        return Err(Error::Other("there is no serial port to listen to".into()));
+    }
+    if stderr().is_terminal() {
+        eprintln!("listening to {} ports for up to 10 s", asked.len());
+    }
+    let found = ports::scan::scan(asked);
+    for port in &found {
+        say(&if options.json {
+            port.json().to_string()
+        } else {
+            port.text()
+        });
+    }
+    Ok(i32::from(!found.iter().all(ports::scan::Found::is_good)))
 }
 
 /// `decode`; a reader that has seen enough is no failure.

@@ -15,6 +15,7 @@ mod offered_route;
 mod pair;
 mod plotter;
 mod ports;
+mod scan;
 mod ship;
 mod stopped;
 

@@ -116,6 +116,8 @@ alerts! {
     Rudder = 130, Alarm, B, "RUDDER", "The rudder does not follow its order or has no feedback. Steer by hand";
     /// AP-4, FA11: the same of the port rudder of an independent pair.
     RudderPort = 132, Alarm, B, "RUDDER PORT", "The port rudder does not follow its order or has no feedback";
+    /// FA11: the motor that turns the rudder stands, and why.
+    Motor = 133, Alarm, B, "RUDDER MOTOR", "The motor does not turn the rudder. Steer by hand";
     /// HTC-1: override reported by the chart system.
     Override = 140, Alarm, B, "OVERRIDE", "Override is in use. STANDBY: select a mode when it has ended";
     /// AP-22: what the steering stand says cannot be read.

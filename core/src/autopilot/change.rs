@@ -14,8 +14,8 @@ pub(super) struct While {
     pub(super) autonav: bool,
 }
 
-/// The settings with some changed, all or none. Rudders, the mounting of the gear and the alignment of the compass change in
-/// STANDBY only (AP-4, EMC-7): an order or a heading would else
+/// The settings with some changed, all or none. Rudders, gear, its mounting and the alignment of the compass change in
+/// STANDBY only (AP-4, AP-18, EMC-7): an order or a heading would else
 /// jump. AutoNAV is steered by a measured speed only (AP-7).
 pub(super) fn changed<'a>(
     settings: &Settings,
@@ -45,6 +45,7 @@ pub(super) fn changed<'a>(
     }
     let differ = [
         ("rudders are", changed.rudders != settings.rudders),
+        ("gear is", changed.gear != settings.gear),
         (
             "tiller_side is",
             changed.tiller_side != settings.tiller_side,

@@ -4,6 +4,7 @@ use super::gear::{Angles, Gear, Mount, Steered};
 use super::sight::Sight;
 use super::steering::{Measured, Steering, SteeringSettings};
 use crate::geo::Point;
+use crate::motor::MotorFault;
 use crate::path::{Part, Path};
 use crate::post::{Post, Seen};
 use crate::settings::Settings;
@@ -50,6 +51,8 @@ pub(super) struct Outlook<'a> {
     pub(super) gear: &'a Gear,
     /// The dead band of a small craft's law, degrees; absent where another one steers.
     pub(super) dead_band: Option<f64>,
+    /// What keeps a motor from turning the rudder.
+    pub(super) motor: Option<MotorFault>,
 }
 
 impl<'a> Outlook<'a> {
@@ -59,7 +62,7 @@ impl<'a> Outlook<'a> {
         post: &'a Post,
         sight: &'a Sight,
         steering: &'a Steering,
-        gear: &'a Gear,
+        (gear, motor): (&'a Gear, Option<MotorFault>),
         settings: &'a Settings,
     ) -> Self {
         let seen = post.seen(now);
@@ -79,6 +82,7 @@ impl<'a> Outlook<'a> {
             ship: steering.ship(),
             gear,
             dead_band: steering.dead_band(),
+            motor,
         }
     }
 

@@ -5,10 +5,10 @@
 //! said of all this. Each owns its state and its timers, is told what it needs, and gives back what happened; none knows
 //! another. Every control step (10 Hz, AP-15) is `step` below. What it uses is no older than [`crate::limits`] allows.
 //!
-//! **Invariant:** orders leave only in a mode that gives them, within limit and slew, and the operator's
-//! STANDBY is always granted.
+//! **Invariant:** orders leave only in a mode that gives them, within limit and slew; the operator's STANDBY is always granted.
 
 mod alerting;
+mod begun;
 mod by_hand;
 mod change;
 mod facts;
@@ -25,12 +25,13 @@ mod sight;
 mod stand;
 pub mod steering;
 mod times;
+mod turned;
 
 use crate::alerts::Alert;
 use crate::command::{Order, Origin, Refusal};
 use crate::post::{self, Post};
 use crate::settings::{Settings, Value};
-use crate::station::{Input, Output, PortSetup, Profile, Role};
+use crate::station::{Input, Output, Profile};
 use crate::talk::{self, SECOND_MS, When};
 use crate::time::Stamp;
 use crate::timers::Timers;
@@ -43,18 +44,19 @@ use change::{While, changed};
 use facts::Outlook;
 use gear::{Angles, Gear, Mount};
 use hand_unit::HandUnit;
+use modes::Modes;
 pub use modes::{
     Auto, AutonavTi, AutonavTn, Autotuning, Dodge, FfuOverride, Finish, Former, Installation, Mode,
     ModeName, NfuOverride, RiverPilot, RudderHold, Standby, Track, WindVane,
     document as modes_document, title_of,
 };
-use modes::{Modes, SetValue};
 use notices::{Notice, Notices};
 use serde::{Deserialize, Serialize};
 pub use sight::Refused;
 use sight::{Sight, Sighted};
-use steering::{Demand, Steering, SteeringSettings};
+use steering::{Demand, Steering};
 use times::{STALL_OVER_MS, Timer};
+use turned::{Place, Turned};
 
 /// The autopilot.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -64,6 +66,7 @@ pub struct Autopilot {
     modes: Modes,
     steering: Steering,
     gear: Gear,
+    turned: Turned,
     hand_unit: HandUnit,
     alerts: Alerting,
     settings: Settings,
@@ -72,28 +75,6 @@ pub struct Autopilot {
 }
 
 impl Autopilot {
-    /// An autopilot in STANDBY with these ports; `named_ship` is a ship whose constants are known by her name (AP-20).
-    #[must_use]
-    pub fn new(
-        ports: Vec<PortSetup>,
-        settings: Settings,
-        named_ship: Option<SteeringSettings>,
-        now: Stamp,
-    ) -> Self {
-        Self {
-            alerts: Alerting::new(&ports),
-            post: Post::new(Role::Autopilot, ports),
-            sight: Sight::default(),
-            modes: Modes::new(),
-            steering: Steering::of(named_ship, &settings),
-            gear: Gear::of(settings.rudders),
-            hand_unit: HandUnit::default(),
-            settings,
-            timers: times::begun(now),
-            now,
-        }
-    }
-
     /// When time alone next changes something.
     #[must_use]
     pub fn due(&self) -> Stamp {
@@ -108,7 +89,11 @@ impl Autopilot {
         }
         self.advance(now, out);
         match input {
-            Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
+            Input::Bytes { port, bytes } => {
+                if !(self.turned).hear(now, port, bytes, Place(&self.post, &self.settings)) {
+                    post::hear(self, now, port, bytes, out);
+                }
+            }
             Input::Order { by, order } => self.obey(now, by, order, out),
             Input::Contact { switch, closed } => self.decide(now, |modes, outlook, notices| {
                 modes.on_contact(outlook, (switch, closed), notices);
@@ -122,6 +107,7 @@ impl Autopilot {
     fn stalled(&mut self, now: Stamp, ms: u64) {
         self.now = now;
         self.post.stalled(now);
+        self.turned.stalled(now);
         self.timers.set(Timer::Step, now + self.settings.step_ms());
         let mut second = self.timers.at(Timer::Second).unwrap_or(now);
         while second <= now {
@@ -168,12 +154,25 @@ impl Autopilot {
     /// One control step: what is heard, what is believed of it, what is steered and why, the order, what is said.
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         post::time_out(self, now, out);
+        if let Some((port, line)) = self.turned.said(now, Place(&self.post, &self.settings)) {
+            post::hear(self, now, port, line.as_bytes(), out);
+        }
         self.keep_time(now, out);
         self.look(now);
         self.decide(now, |modes, outlook, notices| {
             modes.supervise(outlook, notices);
         });
         self.steer(now);
+        let given = (&self.gear, self.modes.gives_orders());
+        let (failed, notice) =
+            self.turned
+                .drive(now, given, Place(&self.post, &self.settings), out);
+        if let Some(fault) = failed {
+            self.decide(now, |modes, outlook, _| {
+                modes.rudder_lost(outlook, fault.text())
+            });
+        }
+        self.alerts.take(now, notice);
         self.watch(now);
         self.report(now, When::Step, out);
         let (step_ms, unit) = (self.settings.step_ms(), self.modes.unit());
@@ -188,8 +187,9 @@ impl Autopilot {
             self.timers.stop(Timer::Stalled);
             self.alerts.take(now, Notice::Rectified(Alert::Stalled));
         }
-        let unknown = !self.steering.ship().known;
-        (self.alerts).take(now, Notice::when(unknown, Alert::ShipUnknown));
+        let known = self.steering.ship().known;
+        self.alerts
+            .take(now, Notice::when(!known, Alert::ShipUnknown));
     }
 
     /// Looks at the sensors; what happened to them is taken in its order (AP-9, FA7 to FA9).
@@ -251,7 +251,7 @@ impl Autopilot {
             &self.post,
             &self.sight,
             &self.steering,
-            &self.gear,
+            (&self.gear, self.turned.prevents()),
             &self.settings,
         );
         (&mut self.modes, outlook)
@@ -316,15 +316,14 @@ impl Autopilot {
 
     /// What became of the order: the rudder follows it (FA11, AP-4), the ship comes to her heading (AP-5).
     fn watch(&mut self, now: Stamp) {
-        let has_gear =
-            (self.post.ports().iter()).any(|port| port.profile == Profile::Gear && port.output);
-        let ordered = has_gear && self.modes.gives_orders();
-        let (left, slew) = (self.rudders(now), self.settings.rudder_slew);
-        for notice in self.gear.watch(now, ordered, left, slew) {
+        let mut ports = self.post.ports().iter();
+        let ordered = ports.any(|port| port.profile == Profile::Gear && port.output)
+            && self.modes.gives_orders();
+        let slew = self.settings.rudder_slew;
+        for notice in (self.gear).watch(now, ordered, self.rudders(now), slew) {
             self.alerts.take(now, notice);
         }
-        let (modes, outlook) = self.modes_and_outlook(now);
-        let off = modes.is_off_heading(&outlook);
+        let off = self.decide(now, |modes, outlook, _| modes.is_off_heading(outlook));
         (self.alerts).take(now, Notice::when(off, Alert::OffHeading));
     }
 
@@ -341,7 +340,14 @@ impl Autopilot {
     fn obey(&mut self, now: Stamp, by: Origin, order: &Order, out: &mut Vec<Output>) {
         let setting = self.modes.as_setting(order);
         let order = setting.as_ref().unwrap_or(order);
+        let held = self
+            .turned
+            .try_again(now, order, Place(&self.post, &self.settings), out);
         let answer = self.carry_out(now, by, order);
+        self.turned.hold(held.filter(|_| answer.is_err()));
+        if !self.modes.gives_orders() {
+            self.turned.stop(Place(&self.post, &self.settings), out);
+        }
         match (&answer, order) {
             (Err(refusal), _) => self.modes.refuse(&refusal.text),
             (Ok(_), Order::Setting { key, value }) => out.push(Output::Persist {
@@ -357,20 +363,13 @@ impl Autopilot {
         if order.steers() {
             self.modes.yields(now, by, order)?;
         }
-        self.decide(now, |modes, outlook, _| modes.interrupt(outlook, order))?;
-        if let Some(set) = SetValue::of(order) {
-            return self.decide(now, |modes, outlook, _| modes.set(outlook, set));
+        let act = |modes: &mut Modes, outlook: &Outlook<'_>, notices: &mut Notices| {
+            modes.carry_out(outlook, order, notices)
+        };
+        if let Some(done) = self.decide(now, act) {
+            return done;
         }
         match order {
-            Order::Mode(request) => self.decide(now, |modes, outlook, notices| {
-                modes.request(outlook, *request, notices)
-            }),
-            Order::SetHeading(degrees) => self.decide(now, |modes, outlook, _| {
-                modes.request_heading(outlook, *degrees)
-            }),
-            Order::AdjustHeading(degrees) => self.decide(now, |modes, outlook, _| {
-                modes.request_change(outlook, *degrees)
-            }),
             Order::Acknowledge(number) => self.alerts.acknowledge(now, *number),
             Order::Silence(silent) => Ok(self.alerts.silence(now, *silent).into()),
             Order::Setting { key, value } => {
@@ -390,7 +389,9 @@ impl Autopilot {
             steering: self.modes.gives_orders(),
             autonav: self.modes.is_or_will_be_commanded(),
         };
-        self.settings = changed(&self.settings, changes, now)?;
+        let changed = changed(&self.settings, changes, now)?;
+        self.turned.renew(self.now, &self.settings, &changed);
+        self.settings = changed;
         self.steering.change(&self.settings);
         self.gear.fit(self.settings.rudders);
         Ok(())

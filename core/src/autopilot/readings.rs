@@ -26,9 +26,15 @@ impl Autopilot {
             &self.post,
             &self.sight,
             &self.steering,
-            &self.gear,
+            (&self.gear, self.turned.prevents()),
             &self.settings,
         )
+    }
+
+    /// How often the motor that turns the rudder has started; 0 where none does.
+    #[must_use]
+    pub const fn motor_starts(&self) -> u64 {
+        self.turned.starts()
     }
 
     /// Heading to steer in force.

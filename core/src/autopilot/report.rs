@@ -5,6 +5,7 @@ use super::gear::Mount;
 use super::hand_unit::{Due, told};
 use super::modes::Modes;
 use crate::nmea::{Hdg, Hdm, Hdt, TransducerType, TransducerUnit, Xdr, XdrReading};
+use crate::settings::GearKind;
 use crate::station::{Output, PortIndex, Profile, Role};
 use crate::talk::{self, Row, Saying, When};
 use crate::units::Heading;
@@ -69,7 +70,9 @@ pub(super) fn owed(
 fn is_told(saying: Saying, profile: Profile, outlook: &Outlook<'_>) -> bool {
     let of_compass = [Saying::Hdg, Saying::Hdm, Saying::Hdt, Saying::Xdr].contains(&saying);
     let external = profile == Profile::Plotter && outlook.facts.settings.external_compass;
-    !(external && of_compass)
+    // A motor is told packets of its own, and would take a sentence for some.
+    let motor = profile == Profile::Gear && outlook.facts.settings.gear != GearKind::Ror;
+    !(external && of_compass || motor)
 }
 
 /// A sentence as it is now; absent where there is nothing to say, and what is not an autopilot's to say. `followed`: the

@@ -6,12 +6,13 @@
 use crate::autopilot::steering::SteeringSettings;
 use crate::chart_system::ChartConfig;
 use crate::geo::Position;
+use crate::motor::Protocol;
 use crate::route::{Route, RouteFault, RouteLimits, Waypoint};
 use crate::settings::{Settings, Value};
 use crate::station::{ChecksumPolicy, PortSetup, Profile, Role};
 use crate::units::{Course, Distance, Heading, Radius, RateOfTurn, RudderAngle, Speed};
 use crate::voyage::VoyageConfig;
-use crate::world::{Noise, WorldConfig};
+use crate::world::{Noise, ShipModel, WorldConfig};
 use alloc::collections::BTreeMap;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -102,6 +103,9 @@ form!(World of WorldConfig {
     current_drift_mps: Speed = current_drift;
     wind_from_deg: Course = wind_from;
     wind_mps: Speed = wind_speed;
+    gustiness: f64 = gustiness;
+    ship: ShipModel = ship;
+    motor: Option<Protocol> = motor;
     pair_of_rudders: bool = pair;
 } rest { seed: 0; ports: Vec::new(); noise: Noise::default(); });
 

@@ -10,8 +10,8 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 use value::Slot;
 pub use value::{
-    DeadBand, Differential, Group, HeadingLaw, Kind, Role, Rudders, SpeedSource, SteeringBy,
-    TillerSide, Value,
+    DeadBand, Differential, GearKind, Group, HeadingLaw, Kind, Role, Rudders, SpeedSource,
+    SteeringBy, TillerSide, Value,
 };
 
 /// One line of the settings table.
@@ -94,6 +94,7 @@ settings! {
     external_tcs: switch(false), Engineer, ChartSystem, "AutoNAV is enabled at installation; AP-6.";
     forwarding_s: given("s", 5.0 ..= 120.0, 0), Engineer, Ship, "Time from wheel-over to the start of the arc that the chart system is set to; AP-20.";
     gain_per_s: given("1/s", 0.005 ..= 2.0, 3), Engineer, Ship, "Nomoto gain K at speed_kn: rate of turn for each unit of rudder; AP-20.";
+    gear: choice(GearKind Ror), Engineer, Rudder, "What turns the rudder: a gear that takes ROR, or a motor whose controller speaks the servo protocol of pypilot or that of the Jrk G2; changed in STANDBY only; AP-18.";
     heading_alignment: number("deg", -180.0 ..= 180.0, 1, 0.0), Engineer, Sensors, "Added to what a magnetic compass on imu, magn or plotter reads; changed in STANDBY only; EMC-7.";
     heading_jump: number("deg", 3.0 ..= 30.0, 1, 8.0), Engineer, Sensors, "A heading off its prediction by more is not used; FA8.";
     heading_law: choice(HeadingLaw Ship), Engineer, Rudder, "A heading is steered by the ship's model, or by the PID gains of a small craft; EMC-2.";
@@ -104,6 +105,17 @@ settings! {
     length_m: given("m", 5.0 ..= 460.0, 1), Engineer, Ship, "The ship's length; AP-20.";
     manual_speed: number("kn", 1.0 ..= 40.0, 1, 12.0), Operator, SetValues, "Speed entered by hand: the gains are made of it where speed_source is manual; AP-9.";
     minimum_speed: number("kn", 0.0 ..= 20.0, 1, 2.0), Engineer, Ship, "Below it the ship hardly answers her rudder: alarm, and gains of the cruise speed; FA10.";
+    motor_band: choice(DeadBand Automatic), Engineer, Rudder, "Dead band of the motor: motor_band_min, motor_band_max, or between them by how it hunts; AP-18.";
+    motor_band_max: number("deg", 0.5 ..= 10.0, 1, 3.0), Engineer, Rudder, "The widest dead band of the motor; AP-18.";
+    motor_band_min: number("deg", 0.1 ..= 5.0, 1, 0.5), Engineer, Rudder, "The narrowest dead band of the motor; AP-18.";
+    motor_current: number("A", 1.0 ..= 60.0, 1, 10.0), Engineer, Rudder, "Current above which the motor is stopped; AP-18.";
+    motor_damping: number("s", 0.0 ..= 2.0, 2, 0.15), Engineer, Rudder, "The rudder runs on for so long when the motor is switched off; AP-18.";
+    motor_feedback_centre: number("%", 0.0 ..= 100.0, 1, 50.0), Engineer, Rudder, "The motor's feedback with the rudder amidships; AP-18.";
+    motor_feedback_port: number("%", 0.0 ..= 100.0, 1, 10.0), Engineer, Rudder, "The motor's feedback with the rudder hard to port; AP-18.";
+    motor_feedback_starboard: number("%", 0.0 ..= 100.0, 1, 90.0), Engineer, Rudder, "The motor's feedback with the rudder hard to starboard; AP-18.";
+    motor_reversed: switch(false), Engineer, Rudder, "The motor's positive command turns the rudder to port; AP-18.";
+    motor_travel: number("deg", 5.0 ..= 45.0, 1, 35.0), Engineer, Rudder, "Rudder angle at either end of the motor's travel; AP-18.";
+    motor_trim: number("deg", -10.0 ..= 10.0, 1, 0.0), Engineer, Rudder, "Rudder that holds her straight, added to each order to the motor, starboard positive; AP-18.";
     off_heading_limit: number("deg", 2.0 ..= 60.0, 0, 20.0), Operator, Rudder, "Off-heading limit; AP-5.";
     off_track_limit: number("m", 20.0 ..= 1000.0, 0, 185.0), Operator, ChartSystem, "Off-track alarm in track control where HTC gives no limit of its own.";
     pid_kd: number("s", 0.0 ..= 200.0, 3, 2.0), Engineer, Rudder, "PID law: rudder for each degree a second of the rate of turn; EMC-2.";
@@ -181,6 +193,31 @@ impl Settings {
         (self.track_fail * 1000.0) as u64
     }
 
+    /// What must hold between the settings of a motor (AP-18).
+    fn motor_agrees(&self) -> Result<(), String> {
+        if self.motor_band_min > self.motor_band_max {
+            return Err(format!(
+                "motor_band_min ({} deg) must not be above motor_band_max ({} deg)",
+                self.motor_band_min, self.motor_band_max
+            ));
+        }
+        let [port, centre, starboard] = [
+            self.motor_feedback_port,
+            self.motor_feedback_centre,
+            self.motor_feedback_starboard,
+        ];
+        if (centre - port) * (starboard - centre) <= 0.0 {
+            return Err(format!(
+                "motor_feedback_centre ({centre} %) must be between motor_feedback_port ({port} %) and \
+                 motor_feedback_starboard ({starboard} %)"
+            ));
+        }
+        if self.gear != GearKind::Ror && self.rudders == Rudders::Independent {
+            return Err("a motor turns one rudder, or linked ones: rudders is independent".into());
+        }
+        Ok(())
+    }
+
     /// What must hold between settings.
     fn agree(&self) -> Result<(), String> {
         if self.track_caution >= self.track_fail {
@@ -189,6 +226,7 @@ impl Settings {
                 self.track_caution, self.track_fail
             ));
         }
+        self.motor_agrees()?;
         if self.rudder_limit > self.rudder_max {
             return Err(format!(
                 "rudder_limit ({} deg) must not be above rudder_max ({} deg)",

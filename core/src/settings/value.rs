@@ -124,13 +124,14 @@ macro_rules! choices {
 }
 
 choices! {
-    /// How much a small craft may be off her heading before the PID law answers (EMC-2).
+    /// How wide a dead band is: of a small craft's heading before the PID law answers (EMC-2), of a rudder before its motor
+    /// starts (AP-18).
     DeadBand {
         /// The least.
         Minimum = "minimum",
         /// The greatest.
         Maximum = "maximum",
-        /// Between them, by how much she yaws.
+        /// Between them: by how much she yaws, or by how the motor hunts.
         Automatic = "automatic",
     }
     /// Which law steers a heading (EMC-2).
@@ -146,6 +147,15 @@ choices! {
         Starboard = "starboard",
         /// To port: they are the other way round.
         Port = "port",
+    }
+    /// What turns the rudder (AP-18).
+    GearKind {
+        /// A gear that takes ROR and says RSA.
+        Ror = "ror",
+        /// A motor by the servo protocol of pypilot.
+        Pypilot = "pypilot",
+        /// A motor by a Jrk G2.
+        Jrk = "jrk",
     }
     /// How AUTO turns (AP-1).
     SteeringBy {

@@ -1,23 +1,32 @@
 //! The world station: a simulated ship with her steering gear and sensors.
 //!
 //! In: rudder orders (ROR) on the gear's port. Out: gyro HDT and ROT and rudder angles RSA ten times a second,
-//! position GLL, velocity VTG, log VHW and, where there is any, wind MWV once a second. Absent on purpose: what wind does to
-//! the hull, roll, shallow water.
+//! position GLL, velocity VTG, log VHW and, where there is any, wind MWV once a second; or, where a motor turns the rudder, its
+//! controller on the gear's port. Absent on purpose: what wind does to a ship that is no yacht, roll in waves, shallow water.
 //!
 //! **Invariant:** a rudder order older than 2 s, or with status V, leaves the rudder where it is.
 
+mod config;
+mod gusts;
 mod hull;
+mod mariner;
+mod motion;
 mod noise;
 mod sensors;
 mod sentences;
 mod steering;
+mod tiller;
 mod truth;
 mod wind;
+mod yacht;
 
-pub use hull::{Drive, Hull};
+pub use config::WorldConfig;
+use gusts::Gusts;
+pub use hull::{Drive, Hull, ShipModel};
 pub use noise::{Drift, Random, Waves};
 pub use sensors::Noise;
 use steering::Steering;
+pub use tiller::{Tiller, TillerFaults};
 pub use truth::Truth;
 
 use crate::command::{FaultKind, Order, Refusal};
@@ -25,11 +34,11 @@ use crate::geo::{Plane, Point, Position};
 use crate::nmea::{Ror, Sentence};
 use crate::picture::Picture;
 use crate::post::{self, Post, Station};
-use crate::station::{ChecksumPolicy, Input, Output, PortIndex, PortSetup, Profile, Role};
+use crate::station::{Input, Output, PortIndex, PortSetup, Profile, Role};
 use crate::talk::{self, Row, SECOND_MS, Saying};
 use crate::time::Stamp;
 use crate::timers::Timers;
-use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, Speed};
+use crate::units::{Course, Distance, Heading, RateOfTurn, RudderAngle, SignedAngle, Speed};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -40,67 +49,6 @@ use serde::{Deserialize, Serialize};
 const STEP: u64 = 100;
 /// Where the plane is laid anew under the ship, metres from its origin.
 const PLANE_REACH: f64 = 3000.0;
-
-/// How the world begins.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WorldConfig {
-    /// Where the ship is.
-    pub start: Position,
-    /// Her heading.
-    pub heading: Heading,
-    /// Speed that the engine keeps on a straight course.
-    pub speed: Speed,
-    /// Direction towards which the current sets.
-    pub current_set: Course,
-    /// Speed of the current.
-    pub current_drift: Speed,
-    /// Where the wind comes from, over ground; it is felt by its sensor alone.
-    pub wind_from: Course,
-    /// Its speed; at none no wind is measured.
-    pub wind_speed: Speed,
-    /// Ports; a profile that is not here sends nothing.
-    pub ports: Vec<PortSetup>,
-    /// Seed of all noise.
-    pub seed: u64,
-    /// How noisy the sensors are.
-    pub noise: Noise,
-    /// Whether she has an independent pair of rudders, which act as their mean; else a single one (AP-4).
-    pub pair: bool,
-}
-
-impl Default for WorldConfig {
-    fn default() -> Self {
-        let port = |name: &str, profile| PortSetup {
-            name: String::from(name),
-            profile,
-            checksum: ChecksumPolicy::Required,
-            talkers: Vec::new(),
-            baud: 38_400,
-            output: true,
-        };
-        Self {
-            start: Position {
-                lat: 54.0,
-                lon: 7.5,
-            },
-            heading: Heading::from_deg(0.0),
-            speed: Speed::from_knots(15.0),
-            current_set: Course::from_deg(0.0),
-            current_drift: Speed::from_knots(0.0),
-            wind_from: Course::from_deg(0.0),
-            wind_speed: Speed::from_knots(0.0),
-            ports: alloc::vec![
-                port("gyro1", Profile::Gyro1),
-                port("gps", Profile::Gps),
-                port("log", Profile::Log),
-                port("gear", Profile::Gear),
-            ],
-            seed: 1,
-            noise: Noise::default(),
-            pair: false,
-        }
-    }
-}
 
 /// The ship's own times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -122,6 +70,8 @@ pub struct World {
     log_injury: sensors::Injury,
     log_speed: f64,
     steering: Steering,
+    gusts: Gusts,
+    tiller: Option<Tiller>,
     post: Post,
     timers: Timers<Timer>,
     steps: u64,
@@ -133,7 +83,7 @@ impl World {
     #[must_use]
     pub fn new(config: WorldConfig) -> Self {
         let speed = config.speed.mps();
-        let hull = Hull::running(config.heading.rad(), speed);
+        let hull = Hull::of(config.ship, config.heading.rad(), speed);
         // Whether anything leaves the house is for its owner to say; a cable inside hears the sensors in any case.
         let ports = config.ports.iter().cloned();
         let ports = ports.map(|port| PortSetup {
@@ -154,6 +104,8 @@ impl World {
             log_injury: sensors::Injury::default(),
             log_speed: speed,
             steering: Steering::default(),
+            gusts: Gusts::default(),
+            tiller: (config.motor).map(|protocol| Tiller::new(protocol, config.seed)),
             post: Post::new(Role::World, ports),
             timers: Timers::new(&[(Timer::Step, Stamp(0))]),
             steps: 0,
@@ -200,7 +152,12 @@ impl World {
             }
         }
         match input {
-            Input::Bytes { port, bytes } => post::hear(self, now, port, bytes, out),
+            Input::Bytes { port, bytes } => match &mut self.tiller {
+                Some(tiller) if self.post.ports()[port].profile == Profile::Gear => {
+                    tiller.hear(bytes);
+                }
+                _ => post::hear(self, now, port, bytes, out),
+            },
             Input::Order { order, .. } => out.push(Output::Answer(self.obey(order))),
             Input::Stalled { .. } | Input::Contact { .. } | Input::Port { .. } | Input::Tick => {}
         }
@@ -235,7 +192,7 @@ impl World {
 
     /// Puts the ship elsewhere for a new round: running straight, rudder amidships. Injuries stay.
     pub fn reset(&mut self, position: Position, heading: Heading) {
-        self.hull = Hull::running(heading.rad(), self.config.speed.mps());
+        self.hull = Hull::of(self.config.ship, heading.rad(), self.config.speed.mps());
         self.plane = Plane::at(position);
         self.steering = self.steering.forgotten();
     }
@@ -270,6 +227,7 @@ impl World {
             water_speed: Speed::from_mps(self.hull.surge),
             ground_speed: Speed::from_mps(libm::hypot(north, east)),
             rudder: RudderAngle::from_deg(self.hull.rudder.to_degrees()),
+            heel: SignedAngle::from_deg(self.hull.heel.to_degrees()),
             port_rudder: self
                 .config
                 .pair
@@ -293,8 +251,13 @@ impl World {
     fn step(&mut self, now: Stamp, out: &mut Vec<Output>) {
         post::time_out(self, now, out);
         let dt = STEP as f64 / 1000.0;
+        self.gusts.step(self.config.gustiness, &mut self.random, dt);
+        let (from, wind) = self.wind();
+        self.drive.wind_north = wind.mps() * libm::cos(from.rad());
+        self.drive.wind_east = wind.mps() * libm::sin(from.rad());
         self.steering
             .drive(now, &self.hull, self.config.pair, &mut self.drive);
+        self.turn_tiller(dt, out);
         self.hull.step(&self.drive, dt);
         self.sailed += self.hull.surge * dt;
         if libm::hypot(self.hull.north, self.hull.east) > PLANE_REACH {
@@ -336,6 +299,36 @@ impl World {
         self.steps += 1;
     }
 
+    /// The wind over ground now.
+    fn wind(&self) -> (Course, Speed) {
+        (self.gusts).of((self.config.wind_from, self.config.wind_speed))
+    }
+
+    /// Where a motor turns the rudder: it goes on, moves the hull's rudder, and its controller speaks.
+    fn turn_tiller(&mut self, dt: f64, out: &mut Vec<Output>) {
+        let port = self.port(Profile::Gear);
+        let Some(tiller) = &mut self.tiller else {
+            return;
+        };
+        const PARTS: u32 = 5;
+        for _ in 0..PARTS {
+            tiller.step(dt / f64::from(PARTS));
+        }
+        self.hull.rudder = tiller.rudder().to_radians();
+        self.drive.stuck[0] = true;
+        let bytes = tiller.say();
+        if let Some(port) = port
+            && !bytes.is_empty()
+        {
+            out.push(Output::Send { port, bytes });
+        }
+    }
+
+    /// The motor that turns her rudder, where one does.
+    pub const fn tiller(&mut self) -> Option<&mut Tiller> {
+        self.tiller.as_mut()
+    }
+
     fn measure_each_second(&mut self) {
         let velocity = self.hull.ground_velocity(&self.drive);
         let noise = self.config.noise;
@@ -354,6 +347,7 @@ impl World {
         Some(match row.saying {
             Saying::Hdt => sentences::heading(self.compass.heading, talker),
             Saying::Rot => sentences::rate(self.compass.rate, talker),
+            Saying::Rsa if self.tiller.is_some() => return None,
             Saying::Rsa => Steering::rsa(&self.hull, self.config.pair).line(talker),
             Saying::Gll => sentences::position(self.receiver.position, now, talker),
             Saying::Vtg => sentences::velocity(self.receiver.course, self.receiver.speed, talker),
@@ -361,8 +355,7 @@ impl World {
             Saying::Mwv => {
                 // In turn, each once a second.
                 let apparent = self.steps.is_multiple_of(SECOND_MS / STEP);
-                let wind = (self.config.wind_from, self.config.wind_speed);
-                wind::line(wind, &self.hull, &self.drive, apparent, talker)?
+                wind::line(self.wind(), &self.hull, &self.drive, apparent, talker)?
             }
             _ => return None,
         })

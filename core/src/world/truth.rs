@@ -1,7 +1,7 @@
 //! The ship as she is, beside what her sensors say of her.
 
 use crate::geo::Position;
-use crate::units::{Heading, RateOfTurn, RudderAngle, Speed};
+use crate::units::{Heading, RateOfTurn, RudderAngle, SignedAngle, Speed};
 use serde::{Deserialize, Serialize};
 
 /// The truth that no sensor says, for tests and the trainer.
@@ -19,6 +19,8 @@ pub struct Truth {
     pub ground_speed: Speed,
     /// Rudder; of a pair, the starboard one.
     pub rudder: RudderAngle,
+    /// How far she heels, to starboard positive.
+    pub heel: SignedAngle,
     /// The port rudder of a pair.
     pub port_rudder: Option<RudderAngle>,
 }

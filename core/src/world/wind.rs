@@ -1,4 +1,4 @@
-//! The wind as a sensor on the moving ship measures it: one constant wind over ground, apparent or over the water.
+//! The wind as a sensor on the moving ship measures it: the wind over ground, apparent or over the water.
 
 use super::hull::{Drive, Hull};
 use super::sentences;

@@ -128,6 +128,8 @@ fn no_alert_is_left_out() {
             Alert::Stand,
             // It takes a second rudder: `rudders`.
             Alert::RudderPort,
+            // It takes a motor: `motor`.
+            Alert::Motor,
             // They take a port to the outside: `ports`.
             Alert::PortFail,
             Alert::NoSentence,

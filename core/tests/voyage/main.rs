@@ -16,6 +16,7 @@ mod management;
 mod modes;
 mod monitor;
 mod monte_carlo;
+mod motor;
 mod offsets;
 mod ports;
 #[path = "../../../tests/random.rs"]

@@ -10,13 +10,13 @@ use toml::{Spanned, Value};
 use wheelover_core::voyage::Role;
 
 /// Keys of the file, its sections, ports and ship.
-const KEYS: [&str; 3] = ["commissioning", "gear", "skipped_by"];
+const KEYS: [&str; 2] = ["commissioning", "skipped_by"];
 
 /// Profiles of ports.
 const PROFILES: [&str; 1] = ["targets"];
 
 /// Keys of `[ship]` that only some stations use.
-const SHIP: [(&str, &[Role]); 18] = [
+const SHIP: [(&str, &[Role]); 21] = [
     ("model", &[Role::Autopilot, Role::World]),
     ("antenna_forward_m", &[Role::Autopilot, Role::ChartSystem]),
     ("antenna_starboard_m", &[Role::Autopilot, Role::ChartSystem]),
@@ -35,6 +35,9 @@ const SHIP: [(&str, &[Role]); 18] = [
     ("steady_turn", &[Role::Autopilot]),
     ("current_set", &[Role::World]),
     ("current_drift_kn", &[Role::World]),
+    ("wind_from", &[Role::World]),
+    ("wind_kn", &[Role::World]),
+    ("gustiness", &[Role::World]),
 ];
 
 /// Which keys were written, with their places.
@@ -44,6 +47,7 @@ struct Written {
     port: Vec<BTreeMap<Spanned<String>, Spanned<Value>>>,
     ship: BTreeMap<Spanned<String>, Value>,
     autopilot: Option<Spanned<BTreeMap<Spanned<String>, Value>>>,
+    gear: Option<Spanned<Value>>,
     chart_system: Option<Spanned<Value>>,
     route: Option<Spanned<Value>>,
     #[serde(flatten)]
@@ -115,6 +119,12 @@ pub(super) fn unused(text: &str, roles: &[Role]) -> Result<(), Mistake> {
     {
         let text = format!("[autopilot]: {}", nobody(&[Role::Autopilot]));
         return Err((table.span(), text));
+    }
+    if let Some(gear) = &written.gear
+        && !uses(&[Role::Autopilot, Role::World], roles)
+    {
+        let text = format!("[gear]: {}", nobody(&[Role::Autopilot, Role::World]));
+        return Err((gear.span(), text));
     }
     if let Some(chart) = &written.chart_system
         && !roles.contains(&Role::ChartSystem)

@@ -3,6 +3,7 @@
 mod built;
 mod chart;
 mod contact;
+mod gear;
 mod load;
 mod pace;
 mod port;

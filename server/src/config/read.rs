@@ -3,6 +3,7 @@
 use super::built;
 use super::chart::Chart;
 use super::contact::{ContactForm, contact};
+use super::gear::Gear;
 use super::port::{Mistake, PortForm, port, socket};
 use super::route;
 use super::rules::conflict;
@@ -27,6 +28,7 @@ struct Form {
     port: Vec<Spanned<PortForm>>,
     contact: Vec<Spanned<ContactForm>>,
     ship: Spanned<Ship>,
+    gear: Spanned<Gear>,
     autopilot: BTreeMap<Spanned<String>, Spanned<Value>>,
     chart_system: Spanned<Chart>,
     route: Option<Spanned<route::Form>>,
@@ -41,6 +43,7 @@ impl Default for Form {
             port: Vec::new(),
             contact: Vec::new(),
             ship: Spanned::new(0..0, Ship::default()),
+            gear: Spanned::new(0..0, Gear::default()),
             autopilot: BTreeMap::new(),
             chart_system: Spanned::new(0..0, Chart::default()),
             route: None,
@@ -96,7 +99,7 @@ fn check(form: Form, folder: &Path) -> Result<Config, Mistake> {
         None => SocketAddr::from(([127, 0, 0, 1], 8080)),
         Some(text) => socket("listen", &text)?,
     };
-    let mut settings = settings(form.autopilot, &form.ship)?;
+    let mut settings = settings(form.autopilot, &form.ship, &form.gear)?;
     let mut ports: Vec<Port> = Vec::new();
     let mut spans = Vec::new();
     for written in form.port {
@@ -159,6 +162,7 @@ fn roles(written: Spanned<Vec<Role>>) -> Result<Vec<Role>, Mistake> {
 fn settings(
     written: BTreeMap<Spanned<String>, Spanned<Value>>,
     ship: &Spanned<Ship>,
+    gear: &Spanned<Gear>,
 ) -> Result<Settings, Mistake> {
     for key in written.keys() {
         if definition(key.get_ref()).is_none() {
@@ -181,7 +185,11 @@ fn settings(
         let name = definition(key.get_ref()).map_or("", |line| line.name);
         (name, value.into_inner(), span)
     });
-    let mut left: Vec<_> = written.chain(on_board).collect();
+    let of_gear = gear.get_ref().settings();
+    let of_gear = of_gear.map_err(|text| (gear.span(), format!("[gear]: {text}")))?;
+    let of_gear = of_gear.into_iter();
+    let of_gear = of_gear.map(|(name, value)| (name, value, gear.span()));
+    let mut left: Vec<_> = written.chain(on_board).chain(of_gear).collect();
     let mut settings = Settings::default();
     // Two that agree with each other may not agree one by one with the defaults.
     while !left.is_empty() {

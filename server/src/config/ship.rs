@@ -51,6 +51,12 @@ pub(crate) struct Ship {
     pub(crate) current_set: f64,
     /// Its speed, knots.
     pub(crate) current_drift_kn: f64,
+    /// Where the wind of the world station comes from, degrees.
+    pub(crate) wind_from: f64,
+    /// Its mean speed, knots; 0: none is measured, and none acts.
+    pub(crate) wind_kn: f64,
+    /// How it gusts: the deviation of its speed as a part of it.
+    pub(crate) gustiness: f64,
 }
 
 /// Hull of the world station.
@@ -60,6 +66,26 @@ pub(crate) enum Model {
     /// The Mariner-class cargo ship.
     #[default]
     Mariner,
+    /// A sailing yacht of eleven metres.
+    Yacht,
+}
+
+impl Model {
+    /// Its name in the configuration.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Mariner => "mariner",
+            Self::Yacht => "yacht",
+        }
+    }
+
+    /// Length that is drawn, metres, and speed, knots, where none is given.
+    const fn size(self) -> (f64, f64) {
+        match self {
+            Self::Mariner => (160.93, 15.0),
+            Self::Yacht => (11.0, 6.0),
+        }
+    }
 }
 
 impl Default for Ship {
@@ -87,6 +113,9 @@ impl Default for Ship {
             speed_kn: None,
             current_set: 0.0,
             current_drift_kn: 0.0,
+            wind_from: 0.0,
+            wind_kn: 0.0,
+            gustiness: 0.0,
         }
     }
 }
@@ -94,12 +123,14 @@ impl Default for Ship {
 impl Ship {
     /// Length that is drawn, metres.
     pub(crate) fn length(&self) -> f64 {
-        self.length_m.unwrap_or(160.93)
+        self.length_m
+            .unwrap_or(self.model.unwrap_or_default().size().0)
     }
 
     /// Speed of her constants, and of the world station's ship, knots.
     pub(crate) fn speed(&self) -> f64 {
-        self.speed_kn.unwrap_or(15.0)
+        self.speed_kn
+            .unwrap_or(self.model.unwrap_or_default().size().1)
     }
 
     /// What is fixed on board by the names of the settings table (AP-4, AP-16, AP-20).
@@ -169,6 +200,9 @@ impl Ship {
             ("speed_kn", self.speed_kn, 1.0..=40.0),
             ("current_set", Some(self.current_set), 0.0..=360.0),
             ("current_drift_kn", Some(self.current_drift_kn), 0.0..=10.0),
+            ("wind_from", Some(self.wind_from), 0.0..=360.0),
+            ("wind_kn", Some(self.wind_kn), 0.0..=60.0),
+            ("gustiness", Some(self.gustiness), 0.0..=0.5),
         ];
         for (name, value, range) in ranges {
             if let Some(value) = value

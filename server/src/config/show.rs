@@ -113,8 +113,10 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
         let constants = config.constants_in_force();
         writeln!(out, "# the constants that steer (AP-20): {constants}")?;
     }
-    if ship.model.is_some() && built::ship_uses("model", &config.roles) {
-        writeln!(out, "model = \"mariner\"")?;
+    if let Some(model) = ship.model
+        && built::ship_uses("model", &config.roles)
+    {
+        writeln!(out, "model = {}", quoted(model.name()))?;
     }
     if let Some(rudders) = ship.rudders
         && built::ship_uses("rudders", &config.roles)
@@ -141,6 +143,9 @@ fn ship(config: &Config, out: &mut String) -> std::fmt::Result {
         ("speed_kn", ship.speed_kn),
         ("current_set", Some(ship.current_set)),
         ("current_drift_kn", Some(ship.current_drift_kn)),
+        ("wind_from", Some(ship.wind_from)),
+        ("wind_kn", Some(ship.wind_kn)),
+        ("gustiness", Some(ship.gustiness)),
     ] {
         if let Some(value) = value
             && built::ship_uses(name, &config.roles)

@@ -1,6 +1,7 @@
 //! What a configuration may say, and what is said about the rest.
 
 mod contacts;
+mod gear;
 mod rudders;
 mod small_craft;
 
@@ -245,7 +246,6 @@ fn what_is_not_built_yet_is_refused_by_its_name() {
         5,
         &["unknown value `radar`", "`monitor`"],
     );
-    not_built("[gear]\nkind = \"ror\"\n", 1, "gear");
     not_built(
         "\n[commissioning]\nskipped_by = \"A\"\n",
         2,

@@ -1,15 +1,17 @@
 //! From a configuration to the stations that run here.
 
+use super::ship::Model;
 use super::types::Config;
 use wheelover_core::autopilot::steering::{SteeringSettings, has_own_constants};
 use wheelover_core::chart_system::ChartConfig;
+use wheelover_core::motor::MotorSetup;
 use wheelover_core::route::embedded_start;
 use wheelover_core::settings::Rudders;
 use wheelover_core::station::PortSetup;
 use wheelover_core::station::Role;
 use wheelover_core::units::{Course, Distance, Heading, Radius, Speed};
 use wheelover_core::voyage::VoyageConfig;
-use wheelover_core::world::WorldConfig;
+use wheelover_core::world::{ShipModel, WorldConfig};
 
 impl Config {
     /// The voyage of this configuration.
@@ -53,7 +55,14 @@ impl Config {
     /// AP-20: a ship that is named, by `model` or by running here, brings her constants; her own ones go before.
     fn named_ship(&self) -> Option<SteeringSettings> {
         let named = self.ship.model.is_some() || self.roles.contains(&Role::World);
-        named.then(SteeringSettings::default)
+        named.then(|| match self.model() {
+            Model::Mariner => SteeringSettings::default(),
+            Model::Yacht => SteeringSettings::yacht(),
+        })
+    }
+
+    fn model(&self) -> Model {
+        self.ship.model.unwrap_or_default()
     }
 
     /// Whose constants steer, for the engineer who checks the configuration (AP-20).
@@ -61,7 +70,10 @@ impl Config {
         if has_own_constants(&self.settings) {
             "gain_per_s and time_constant_s, as given"
         } else if self.ship.model.is_some() || self.roles.contains(&Role::World) {
-            "those of the model \"mariner\""
+            match self.model() {
+                Model::Mariner => "those of the model \"mariner\"",
+                Model::Yacht => "those of the model \"yacht\"",
+            }
         } else {
             "cautious ones, scaled from length_m and speed_kn: no track control"
         }
@@ -97,6 +109,14 @@ impl Config {
             speed: Speed::from_knots(ship.speed()),
             current_set: Course::from_deg(ship.current_set),
             current_drift: Speed::from_knots(ship.current_drift_kn),
+            wind_from: Course::from_deg(ship.wind_from),
+            wind_speed: Speed::from_knots(ship.wind_kn),
+            gustiness: ship.gustiness,
+            ship: match self.model() {
+                Model::Mariner => ShipModel::Mariner,
+                Model::Yacht => ShipModel::Yacht,
+            },
+            motor: MotorSetup::of(&self.settings).map(|setup| setup.protocol),
             pair: self.settings.rudders == Rudders::Independent,
             ..WorldConfig::default()
         }

@@ -8,6 +8,7 @@ mod gpio;
 pub(crate) mod list;
 mod open;
 mod playback;
+pub(crate) mod scan;
 mod stood;
 mod task;
 mod wire;

@@ -55,6 +55,8 @@ pub(in super::super) enum Event {
     Override,
     /// No heading is usable.
     HeadingLost,
+    /// Nothing turns the rudder any more.
+    RudderLost,
     /// The mode is over, or released, and AUTO holds this heading.
     AutoOn(Heading),
     /// The operator selects RIVER PILOT.

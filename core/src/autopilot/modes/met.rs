@@ -87,6 +87,11 @@ impl Modes {
         if matches!(self.mode, Mode::Installation(_)) {
             return Err(Refusal::because("INSTALLATION is ended by STANDBY only"));
         }
+        if let Some(fault) = outlook.motor
+            && !matches!(mode, ModeName::Installation)
+        {
+            return Err(Refusal::because(fault.text()));
+        }
         let entry = row(mode).map_or(&[][..], |row| row.entry);
         let lacks = entry.iter().find(|need| !self.has(outlook, **need, mode));
         lacks.map_or(Ok(()), |need| Err(Refusal::because(need.missing())))

@@ -101,7 +101,13 @@ impl Mode {
                 | Self::FfuOverride(_)),
                 Event::HeadingLost,
             ) => mode,
-            (_, Event::HeadingLost) => Self::RudderHold(RudderHold { order: facts.order }),
+            (
+                mode @ (Self::Standby(_) | Self::NfuOverride(_) | Self::RudderHold(_)),
+                Event::RudderLost,
+            ) => mode,
+            (_, Event::HeadingLost | Event::RudderLost) => {
+                Self::RudderHold(RudderHold { order: facts.order })
+            }
             (_, Event::Auto) => Self::Auto(Auto::on(facts.heading)),
             (Self::Auto(auto), Event::SetHeading(set)) => Self::Auto(Auto {
                 set: *set,

@@ -1,4 +1,4 @@
-//! RUDDER HOLD: the rudder stays as it was when the heading was lost (FA7).
+//! RUDDER HOLD: the rudder stays as it was when the heading was lost (FA7), or what turns it failed (FA11).
 
 use super::state::{Listed, State};
 use super::table::{Limit, ModeName, OnLoss, Row};
@@ -19,7 +19,7 @@ impl Listed for RudderHold {
     const ROW: Row = Row {
         name: ModeName::RudderHold,
         title: "RUDDER HOLD",
-        what: "The rudder is held as it was when the heading was lost; only the operator ends it.",
+        what: "The rudder is held as it was when the heading was lost or its motor failed; only the operator ends it.",
         role: Role::Operator,
         entry: &[],
         needs: &[],

@@ -51,6 +51,11 @@ impl Modes {
         }
     }
 
+    /// FA11: what turns the rudder fails.
+    pub(in super::super) fn rudder_lost(&mut self, outlook: &Outlook<'_>, why: &str) {
+        self.apply(&outlook.facts, &Event::RudderLost, why);
+    }
+
     /// FA9: the position in use jumped.
     pub(in super::super) fn position_jumped(
         &mut self,

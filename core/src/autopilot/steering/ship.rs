@@ -69,6 +69,18 @@ impl SteeringSettings {
         scaled.given(settings)
     }
 
+    /// The yacht of the world station, by her first-order constants.
+    #[must_use]
+    pub fn yacht() -> Self {
+        Self::cautious(&Settings {
+            length_m: Some(10.0),
+            speed_kn: Some(6.0),
+            gain_per_s: Some(0.25),
+            time_constant_s: Some(2.0),
+            ..Settings::default()
+        })
+    }
+
     /// With the constants that are given in the settings.
     fn given(mut self, settings: &Settings) -> Self {
         let (Some(gain), Some(time_constant)) = (settings.gain_per_s, settings.time_constant_s)
