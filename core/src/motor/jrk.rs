@@ -100,7 +100,7 @@ pub fn speed([low, high]: [u8; 2]) -> Option<f64> {
     known.then_some(duty / FULL_DUTY)
 }
 
-/// Asks for what [`Reader::end`] then gives.
+/// Asks for what [`Reader::take`] then gives.
 pub fn ask(out: &mut Vec<u8>) {
     for (offset, length) in ASKED {
         out.extend([ASK, offset, length]);
