@@ -178,14 +178,18 @@ fn a_heading_is_taken_from_every_compass_on_its_own_port_only() {
         }
     };
     let true_ports = [Profile::Gyro1, Profile::Gyro2, Profile::Thd];
-    check("HEHDT,100.5,T", &true_ports, Some(100.5));
+    let with_imu = [true_ports.as_slice(), &[Profile::Imu]].concat();
+    check("HEHDT,100.5,T", &with_imu, Some(100.5));
     check("HETHS,100.5,A", &true_ports, Some(100.5));
     for mode in ["E", "M", "S", "V"] {
         check(&format!("HETHS,100.5,{mode}"), &[], None);
     }
-    check("HCHDG,100.5,1.5,W,3.0,E", &[Profile::Magn], Some(102.0));
-    check("HCHDG,100.5,1.5,W,,", &[Profile::Magn], None);
-    check("HCHDM,100.5,M", &[Profile::Magn], None);
+    let magnetic = [Profile::Magn, Profile::Imu];
+    check("HCHDG,100.5,1.5,W,3.0,E", &magnetic, Some(102.0));
+    check("HCHDG,100.5,1.5,W,,", &magnetic, None);
+    // Whether a plotter's is used, the setting `external_compass` says (EMC-5).
+    let with_plotter = [magnetic.as_slice(), &[Profile::Plotter]].concat();
+    check("HCHDM,100.5,M", &with_plotter, None);
     let varied = heard(Profile::Magn, &["HCHDG,100.5,1.5,W,3.0,E", "HCHDM,99.0,M"]);
     assert_eq!(varied.variation(Stamp(2_000)), Some(3.0));
 }
