@@ -6,7 +6,7 @@ use xtask::shell::{Failure, Outcome, answer, cargo, run, step, target};
 
 /// What a browser may load before the page works, brotli, bytes: the product promises 200,000, and what is still to be built
 /// needs the rest.
-const FIRST_LOAD_BUDGET: u64 = 190_000;
+const FIRST_LOAD_BUDGET: u64 = 194_000;
 
 /// Builds the page into `web/dist`.
 ///
